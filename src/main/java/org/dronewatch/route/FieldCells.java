@@ -1,54 +1,136 @@
 package org.dronewatch.route;
 
+import java.util.Arrays;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.geometry.Position;
 
-/** Which cell of a detection field a point is in: the nearest, up to half the distance to the next height. */
+/**
+ * Where points lie between the middles of the cells of a detection field, in coordinates of the field: a point in the
+ * middle of a cell has the numbers of its column, row and height. The ground is interpolated between the middles of the
+ * columns, and where there is none, it has its mean height. Points outside count as those at the edge. Immutable and
+ * thread-safe.
+ */
 final class FieldCells {
-    /** The shortest part of a leg, as a fraction of it: rounding errors at edges of cells are smaller. */
+    /** The shortest part of a leg, as a fraction of it: rounding errors at the boundaries of parts are smaller. */
     private static final double SHORTEST = 1e-9;
 
-    private final DetectionField field;
+    /** Points as near to the middle of a cell as this count as in the middle, in cells. */
+    private static final double NEAR = 1e-9;
+
     private final FieldGrid grid;
     private final double[] heights;
 
+    /** By row and column, m. */
+    private final double[] ground;
+
     FieldCells(DetectionField field) {
-        this.field = field;
         this.grid = field.grid();
         this.heights = grid.heights().stream().mapToDouble(Double::doubleValue).toArray();
+        int side = grid.columns();
+        double[] known = new double[side * side];
+        Arrays.setAll(known, cell -> field.ground(cell % side, cell / side));
+        double mean = Arrays.stream(known).filter(Double::isFinite).average().orElse(0.0);
+        this.ground = Arrays.stream(known)
+                .map(height -> Double.isNaN(height) ? mean : height)
+                .toArray();
     }
 
-    /** The column at an east coordinate, m. */
-    int column(double x) {
-        return clamp((x - grid.x(0)) / grid.cell());
+    /** The column at an east coordinate, m; a fraction between two middles. */
+    double column(double x) {
+        return snapped((x - grid.x(0)) / grid.cell(), grid.columns());
     }
 
     /** The row at a north coordinate, m. */
-    int row(double y) {
-        return clamp((grid.y(0) - y) / grid.cell());
+    double row(double y) {
+        return snapped((grid.y(0) - y) / grid.cell(), grid.columns());
     }
 
-    private int clamp(double index) {
-        return (int) Math.max(0.0, Math.min(grid.columns() - 1.0, Math.rint(index)));
+    private static double snapped(double index, int count) {
+        double inside = Math.max(0.0, Math.min(count - 1.0, index));
+        double whole = Math.rint(inside);
+        return Math.abs(inside - whole) < NEAR ? whole : inside;
     }
 
-    /** The height that is nearest in a column, m; -1 where there is no ground below. */
-    int level(int column, int row, double z) {
-        double ground = field.ground(column, row);
-        if (Double.isNaN(ground)) {
-            return -1;
+    /** The height of the ground at a column and a row, m. */
+    private double ground(double column, double row) {
+        int west = lower(column, grid.columns());
+        int north = lower(row, grid.columns());
+        int east = Math.min(west + 1, grid.columns() - 1);
+        int south = Math.min(north + 1, grid.columns() - 1);
+        double u = column - west;
+        double v = row - north;
+        return (1.0 - v) * ((1.0 - u) * ground(west, north) + u * ground(east, north))
+                + v * ((1.0 - u) * ground(west, south) + u * ground(east, south));
+    }
+
+    /** The height of the ground in the middle of a column, m. */
+    double ground(int column, int row) {
+        return ground[row * grid.columns() + column];
+    }
+
+    /** The number of the height at a column, a row and a height in the world, m. */
+    double level(double column, double row, double z) {
+        return level(z - ground(column, row));
+    }
+
+    /** The number of a height above the ground, m. */
+    private double level(double above) {
+        int low = 0;
+        while (low < heights.length - 2 && above >= heights[low + 1]) {
+            low++;
         }
-        double above = z - ground;
-        int nearest = 0;
-        for (int i = 1; i < heights.length; i++) {
-            nearest = Math.abs(heights[i] - above) < Math.abs(heights[nearest] - above) ? i : nearest;
+        double gap = low + 1 < heights.length ? heights[low + 1] - heights[low] : 1.0;
+        return snapped(low + (above - heights[low]) / gap, heights.length);
+    }
+
+    /** The number of the last of several middles that is not beyond a point, and has another one after it. */
+    static int lower(double at, int count) {
+        return Math.max(0, Math.min(count - 2, (int) at));
+    }
+
+    /** The first and the last column of cells that may contribute to what is interpolated at a point of a box. */
+    int[] columns(Position low, Position high) {
+        return new int[] {(int) column(low.x()), (int) Math.ceil(column(high.x()))};
+    }
+
+    /** The first and the last row of such cells. */
+    int[] rows(Position low, Position high) {
+        return new int[] {(int) row(high.y()), (int) Math.ceil(row(low.y()))};
+    }
+
+    /** The numbers of the lowest and the highest height of such cells. */
+    int[] levels(Position low, Position high) {
+        int[] columns = columns(low, high);
+        int[] rows = rows(low, high);
+        double lowest = Double.POSITIVE_INFINITY;
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int row = rows[0]; row <= rows[1]; row++) {
+            for (int column = columns[0]; column <= columns[1]; column++) {
+                lowest = Math.min(lowest, ground(column, row));
+                highest = Math.max(highest, ground(column, row));
+            }
         }
-        return nearest;
+        return new int[] {(int) level(low.z() - highest), (int) Math.ceil(level(high.z() - lowest))};
+    }
+
+    /** The number of columns. */
+    int columns() {
+        return grid.columns();
+    }
+
+    /** The number of rows. */
+    int rows() {
+        return grid.columns();
+    }
+
+    /** The number of heights. */
+    int levels() {
+        return heights.length;
     }
 
     /**
-     * Where a straight leg leaves the cell in which it is.
+     * Where a straight leg leaves the cuboid between the middles of eight cells in which it is.
      *
      * @param after the fraction of the leg after which it does
      * @return a greater fraction, 1 at the end of the leg
@@ -59,29 +141,56 @@ final class FieldCells {
         double dy = (from.y() - to.y()) / grid.cell();
         double x = (from.x() - grid.x(0)) / grid.cell();
         double y = (grid.y(0) - from.y()) / grid.cell();
-        double next = Math.min(crossing(x, dx, inside), crossing(y, dy, inside));
-        double ground = field.ground(clamp(x + inside * dx), clamp(y + inside * dy));
-        if (!Double.isNaN(ground)) {
-            double dz = to.z() - from.z();
-            double above = from.z() - ground;
-            for (int i = 1; i < heights.length; i++) {
-                double share = (0.5 * (heights[i - 1] + heights[i]) - above) / dz;
-                next = share > inside && share < next ? share : next;
-            }
-        }
-        return Math.min(1.0, next);
+        double next = Math.min(1.0, Math.min(crossing(x, dx, inside), crossing(y, dy, inside)));
+        return heights.length == 1 ? next : climbs(from, to, after, next);
     }
 
-    /** Where a coordinate, in cells from the middle of the first, next comes half-way between two of them. */
+    /** Where a coordinate, in cells from the middle of the first, next comes to the middle of one. */
     private static double crossing(double begin, double change, double inside) {
         if (change == 0.0) {
             return Double.POSITIVE_INFINITY;
         }
-        double cell = Math.floor(begin + inside * change + 0.5);
-        double edge = change > 0.0 ? cell + 0.5 : cell - 0.5;
-        double share = (edge - begin) / change;
-        // Rounding may leave a point on an edge on its wrong side: the edge after that one follows.
-        return share > inside ? share : share + 1.0 / Math.abs(change);
+        double at = begin + inside * change;
+        double middle = change > 0.0 ? Math.floor(at) + 1.0 : Math.ceil(at) - 1.0;
+        return Math.max(inside, (middle - begin) / change);
+    }
+
+    /**
+     * Where a part of a leg first comes to one of the heights, at its end if to none. Since the ground is bilinear
+     * between four middles, the height above it is a quadratic function along the leg.
+     */
+    private double climbs(Position from, Position to, double begin, double end) {
+        double first = above(from, to, begin);
+        double middle = above(from, to, 0.5 * (begin + end));
+        double last = above(from, to, end);
+        double square = 2.0 * (first - 2.0 * middle + last);
+        double slope = last - first - square;
+        double earliest = 1.0;
+        double shortest = SHORTEST / (end - begin);
+        for (double height : heights) {
+            earliest = Math.min(earliest, root(square, slope, first - height, shortest));
+        }
+        return begin + earliest * (end - begin);
+    }
+
+    private double above(Position from, Position to, double share) {
+        double x = from.x() + share * (to.x() - from.x());
+        double y = from.y() + share * (to.y() - from.y());
+        return from.z() + share * (to.z() - from.z()) - ground(column(x), row(y));
+    }
+
+    /** The least root of a quadratic equation that is not below a limit; 1 if it has none up to 1. */
+    private static double root(double square, double slope, double constant, double limit) {
+        double discriminant = slope * slope - 4.0 * square * constant;
+        if (!(discriminant >= 0.0)) {
+            return 1.0;
+        }
+        double sum = -0.5 * (slope + Math.copySign(Math.sqrt(discriminant), slope));
+        double one = sum / square;
+        double other = constant / sum;
+        double least = 1.0;
+        least = one >= limit && one < least ? one : least;
+        return other >= limit && other < least ? other : least;
     }
 
     /** East coordinate of the middle of a column, m. */
@@ -96,6 +205,6 @@ final class FieldCells {
 
     /** Height of the middle of a cell, m. */
     double z(int level, int column, int row) {
-        return field.ground(column, row) + heights[level];
+        return ground(column, row) + heights[level];
     }
 }

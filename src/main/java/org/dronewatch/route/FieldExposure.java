@@ -14,9 +14,10 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The rates of detection that follow from a detection field of single looks, in one mode of flight: those of the
- * nearest cell, where each height represents the air up to halfway to the next lower and the next higher height
- * ({@link SensorRates}). Where a drone cannot be, the rates are 0: no route leads there.
+ * The rates of detection that follow from a detection field of single looks, in one mode of flight. In the middle of a
+ * cell they are those of its {@link SensorRates}; between the middles of eight cells, which lie above the ground by two
+ * of the field's heights, they are interpolated (trilinearly), so that a route gains nothing at the boundary of a cell
+ * that no sensor sees. Where a drone cannot be, the rates are 0: no route leads there.
  */
 public final class FieldExposure implements ExposureField {
     /** The value at which the probability of detection in a look is capped, so that all exposures are finite. */
@@ -32,9 +33,9 @@ public final class FieldExposure implements ExposureField {
     /** In the order of their names: the order of the scene does not change a bit of a sum. */
     private final List<SensorRates> sensors;
 
-    private FieldExposure(DetectionField field, RouteMode mode, List<SensorRates> sensors) {
+    private FieldExposure(DetectionField field, FieldCells cells, RouteMode mode, List<SensorRates> sensors) {
         this.field = field;
-        this.cells = new FieldCells(field);
+        this.cells = cells;
         this.mode = mode;
         this.sensors = sensors;
     }
@@ -51,18 +52,20 @@ public final class FieldExposure implements ExposureField {
         if (field.courses().stream().noneMatch(course -> course.kind() == Course.Kind.COMPASS)) {
             throw new IllegalArgumentException("the field has no compass headings, but must have all courses");
         }
+        FieldCells cells = new FieldCells(field);
         List<SensorRates> sensors = IntStream.range(0, field.sensors().size())
                 .boxed()
                 .sorted(Comparator.comparing(field.sensors()::get))
-                .map(sensor -> new SensorRates(flown, sensor, settings))
+                .map(sensor -> new SensorRates(flown, cells, sensor, settings))
                 .toList();
-        return new FieldExposure(field, flown.mode(), sensors);
+        return new FieldExposure(field, cells, flown.mode(), sensors);
     }
 
     /** The exposure to one sensor alone, given by its name. */
     FieldExposure ofSensor(String name) {
         return new FieldExposure(
                 field,
+                cells,
                 mode,
                 sensors.stream().filter(one -> one.name().equals(name)).toList());
     }
@@ -71,6 +74,7 @@ public final class FieldExposure implements ExposureField {
     FieldExposure toAll(List<FieldExposure> others) {
         return new FieldExposure(
                 field,
+                cells,
                 mode,
                 others.stream()
                         .flatMap(one -> one.sensors.stream())
@@ -80,71 +84,124 @@ public final class FieldExposure implements ExposureField {
 
     @Override
     public double rate(double x, double y, double z, LegMotion motion, int number) {
-        int column = cells.column(x);
-        int row = cells.row(y);
-        int level = cells.level(column, row, z);
+        CellCorners corners = new CellCorners(field, cells);
+        corners.around(x, y, z);
+        corners.weigh(x, y, z);
         double sum = 0.0;
-        for (int i = 0; level >= 0 && i < sensors.size(); i++) {
-            sum += sensors.get(i).rate(level, column, row, x, y, z, motion);
+        for (int corner = 0; corner < CellCorners.COUNT; corner++) {
+            double weight = corners.weight(corner);
+            for (int i = 0; weight > 0.0 && i < sensors.size(); i++) {
+                sum += weight * rate(sensors.get(i), corners, corner, x, y, z, motion);
+            }
         }
         return sum;
     }
 
-    /** {@inheritDoc} The leg is split where it passes from one cell into another. */
+    private static double rate(
+            SensorRates sensor, CellCorners corners, int corner, double x, double y, double z, LegMotion motion) {
+        double steady = sensor.steady(corners, corner, motion);
+        return Double.isNaN(steady)
+                ? sensor.unsteady(corners, corner, motion).at(sensor.passing(x, y, z, motion))
+                : steady;
+    }
+
+    /** {@inheritDoc} The leg is split where it passes from between some cells to between others. */
     @Override
     public double mean(Position from, Position to, LegMotion motion, int number, double longest) {
+        CellCorners corners = new CellCorners(field, cells);
         double finest = longest / PARTS / from.distance(to);
         double sum = 0.0;
         double at = 0.0;
         while (at < 1.0) {
             double until = cells.leaves(from, to, at);
-            sum += (until - at) * meanInCell(from, to, at, until, motion, finest);
+            sum += (until - at) * mean(corners, new LegPart(from, to, at, until), motion, finest);
             at = until;
         }
         return sum;
     }
 
     /**
-     * The mean rate on a part of a leg that lies in one cell.
+     * The mean rate on a part of a leg that lies between the middles of the same cells.
      *
-     * @param begin the fraction of the leg at which it begins
-     * @param end the fraction at which it ends
      * @param finest the greatest fraction of the leg that is a piece where the rate depends on the position in the cell
      */
-    private double meanInCell(Position from, Position to, double begin, double end, LegMotion motion, double finest) {
-        double middle = 0.5 * (begin + end);
-        double x = from.x() + middle * (to.x() - from.x());
-        double y = from.y() + middle * (to.y() - from.y());
-        double z = from.z() + middle * (to.z() - from.z());
-        int column = cells.column(x);
-        int row = cells.row(y);
-        int level = cells.level(column, row, z);
-        int pieces = (int) Math.ceil((end - begin) / finest);
+    private double mean(CellCorners corners, LegPart part, LegMotion motion, double finest) {
+        corners.around(part.x(0.5), part.y(0.5), part.z(0.5));
+        double[] weights = new double[CellCorners.COUNT];
+        for (int point = 0; point < GaussRule.POINTS; point++) {
+            double share = GaussRule.at(point);
+            corners.weigh(part.x(share), part.y(share), part.z(share));
+            corners.addTo(weights, GaussRule.weight(point));
+        }
         double sum = 0.0;
-        for (int i = 0; level >= 0 && i < sensors.size(); i++) {
+        for (int i = 0; i < sensors.size(); i++) {
             SensorRates sensor = sensors.get(i);
-            if (sensor.isConstant(level, column, row)) {
-                sum += sensor.rate(level, column, row, x, y, z, motion);
-                continue;
-            }
-            double parts = 0.0;
-            for (int piece = 0; piece < pieces; piece++) {
-                for (int point = 0; point < GaussRule.POINTS; point++) {
-                    double share = begin + (piece + GaussRule.at(point)) / pieces * (end - begin);
-                    parts += GaussRule.weight(point)
-                            * sensor.rate(
-                                    level,
-                                    column,
-                                    row,
-                                    from.x() + share * (to.x() - from.x()),
-                                    from.y() + share * (to.y() - from.y()),
-                                    from.z() + share * (to.z() - from.z()),
-                                    motion);
+            CellRate[] unsteady = null;
+            for (int corner = 0; corner < CellCorners.COUNT; corner++) {
+                if (weights[corner] > 0.0) {
+                    double steady = sensor.steady(corners, corner, motion);
+                    if (Double.isNaN(steady)) {
+                        unsteady = unsteady == null ? new CellRate[CellCorners.COUNT] : unsteady;
+                        unsteady[corner] = sensor.unsteady(corners, corner, motion);
+                    } else {
+                        sum += weights[corner] * steady;
+                    }
                 }
             }
-            sum += parts / pieces;
+            sum += unsteady == null ? 0.0 : unsteady(sensor, unsteady, corners, part, motion, finest);
         }
         return sum;
+    }
+
+    /** The mean of what cells contribute in which a sensor's rate depends on the position; null for the others. */
+    private static double unsteady(
+            SensorRates sensor, CellRate[] cells, CellCorners corners, LegPart part, LegMotion motion, double finest) {
+        int pieces = (int) Math.ceil(part.length() / finest);
+        double sum = 0.0;
+        for (int piece = 0; piece < pieces; piece++) {
+            for (int point = 0; point < GaussRule.POINTS; point++) {
+                double share = (piece + GaussRule.at(point)) / pieces;
+                double x = part.x(share);
+                double y = part.y(share);
+                double z = part.z(share);
+                double passing = sensor.passing(x, y, z, motion);
+                corners.weigh(x, y, z);
+                sum += GaussRule.weight(point) * weighted(cells, corners, passing);
+            }
+        }
+        return sum / pieces;
+    }
+
+    private static double weighted(CellRate[] cells, CellCorners corners, double passing) {
+        double sum = 0.0;
+        for (int corner = 0; corner < CellCorners.COUNT; corner++) {
+            double weight = corners.weight(corner);
+            sum += cells[corner] != null && weight > 0.0 ? weight * cells[corner].at(passing) : 0.0;
+        }
+        return sum;
+    }
+
+    /** The part of a straight leg from one fraction of it to another. */
+    private record LegPart(Position from, Position to, double begin, double end) {
+        double length() {
+            return end - begin;
+        }
+
+        double x(double share) {
+            return from.x() + along(share) * (to.x() - from.x());
+        }
+
+        double y(double share) {
+            return from.y() + along(share) * (to.y() - from.y());
+        }
+
+        double z(double share) {
+            return from.z() + along(share) * (to.z() - from.z());
+        }
+
+        private double along(double share) {
+            return begin + share * (end - begin);
+        }
     }
 
     /**
@@ -153,19 +210,23 @@ public final class FieldExposure implements ExposureField {
      */
     Cause cause(Position from, Position to) {
         Position at = from.plus(to).times(0.5);
-        int column = cells.column(at.x());
-        int row = cells.row(at.y());
-        int level = cells.level(column, row, at.z());
-        if (level < 0 || !field.isOpen(level, column, row)) {
+        CellCorners corners = new CellCorners(field, cells);
+        corners.around(at.x(), at.y(), at.z());
+        corners.weigh(at.x(), at.y(), at.z());
+        int nearest = corners.nearest();
+        if (nearest < 0) {
             return Cause.UNKNOWN;
         }
+        int column = corners.column(nearest);
+        int row = corners.row(nearest);
+        int level = corners.level(nearest);
         Position along = to.minus(from);
         double time = mode.time(Math.hypot(along.x(), along.y()), along.z());
         LegMotion motion = LegMotion.along(along.x(), along.y(), along.z(), time);
         Cause dominant = Cause.UNKNOWN;
         int most = -1;
         for (SensorRates sensor : sensors) {
-            int course = sensor.course(level, column, row, at.x(), at.y(), at.z(), motion);
+            int course = sensor.course(corners, nearest, at.x(), at.y(), at.z(), motion);
             int steps = sensor.field().steps(sensor.sensor(), level, column, row, course);
             Cause cause = sensor.field().cause(sensor.sensor(), level, column, row, course);
             if (steps > most || steps == most && cause.compareTo(dominant) > 0) {
@@ -177,16 +238,18 @@ public final class FieldExposure implements ExposureField {
     }
 
     /**
-     * The least of the rates on all courses except hovering, in all cells that the box touches and in which a drone can
-     * be.
+     * The least of the rates on all courses except hovering, in all cells that may contribute to the rate at a point of
+     * the box, and in which a drone can be.
      */
     @Override
     public double least(Position low, Position high, int number) {
+        int[] columns = cells.columns(low, high);
+        int[] rows = cells.rows(low, high);
+        int[] levels = cells.levels(low, high);
         double least = Double.POSITIVE_INFINITY;
-        for (int row = cells.row(high.y()); row <= cells.row(low.y()); row++) {
-            for (int column = cells.column(low.x()); column <= cells.column(high.x()); column++) {
-                int last = cells.level(column, row, high.z());
-                for (int level = Math.max(0, cells.level(column, row, low.z())); level <= last; level++) {
+        for (int row = rows[0]; row <= rows[1]; row++) {
+            for (int column = columns[0]; column <= columns[1]; column++) {
+                for (int level = levels[0]; level <= levels[1]; level++) {
                     least = Math.min(least, least(level, column, row));
                 }
             }

@@ -8,7 +8,8 @@ import org.dronewatch.sensor.CrossingBlind;
 
 /**
  * The fraction of a drone's signal that passes in a sensor which rejects low radial speeds: in flight, and on the
- * courses of a detection field. Immutable and thread-safe.
+ * courses of a detection field, of which the compass headings have the first numbers, and those across the sensor's
+ * line of sight the next. Immutable and thread-safe.
  */
 final class RadialResponse {
     private final CrossingBlind blind;
@@ -49,26 +50,28 @@ final class RadialResponse {
         return blind.response((dx * east + dy * north + dz * up) / Math.max(distance, Double.MIN_NORMAL));
     }
 
-    /**
-     * The two courses of a cell between which a flight lies. The compass headings have the first numbers, the courses
-     * across the line of sight the next.
-     *
-     * @param x east coordinate of the middle of the cell, m
-     * @param y north coordinate, m
-     * @param z height, m
-     * @param passing the fraction of the signal that passes in flight, 0 to 1
-     * @param motion of the flight
-     */
-    CourseBracket courses(double x, double y, double z, double passing, LegMotion motion) {
-        CourseBracket bracket = new CourseBracket(passing);
+    /** By course, the fraction that passes at a point, 0 to 1; coordinates in m. */
+    double[] onCourses(double x, double y, double z) {
+        double[] passes = new double[motions.length + sides.length];
         for (int course = 0; course < motions.length; course++) {
-            double along = motion.east() * motions[course].east() + motion.north() * motions[course].north();
-            bracket.take(course, of(x, y, z, motions[course]), along);
+            passes[course] = of(x, y, z, motions[course]);
+        }
+        for (int i = 0; i < sides.length; i++) {
+            passes[motions.length + i] = of(x, y, z, 0.0, 0.0, motions[0].up());
+        }
+        return passes;
+    }
+
+    /** By course, how near its heading at a point is to that of a flight: the greater, the nearer; coordinates in m. */
+    double[] along(double x, double y, LegMotion motion) {
+        double[] along = new double[motions.length + sides.length];
+        for (int course = 0; course < motions.length; course++) {
+            along[course] = motion.east() * motions[course].east() + motion.north() * motions[course].north();
         }
         double turned = motion.east() * (y - position.y()) - motion.north() * (x - position.x());
         for (int i = 0; i < sides.length; i++) {
-            bracket.take(motions.length + i, of(x, y, z, 0.0, 0.0, motions[0].up()), sides[i] * turned);
+            along[motions.length + i] = sides[i] * turned;
         }
-        return bracket;
+        return along;
     }
 }

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.search.RouteMode;
 
 /**
@@ -47,15 +48,17 @@ public record RouteSurvey(
     public static RouteSurvey of(SiteRoutes site, double response, IntConsumer searched, Runnable stopped) {
         List<SectorRoute> routes = new ArrayList<>();
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
-            if (Thread.currentThread().isInterrupted()) {
+            int from = sector;
+            try {
+                Workers.checkInterrupted();
+                site.from(sector).map(route -> site.describe(from, route)).ifPresent(routes::add);
+            } catch (CancellationException interrupted) {
                 if (sector == 0) {
-                    throw new CancellationException("interrupted before the first route");
+                    throw interrupted;
                 }
                 stopped.run();
                 return new RouteSurvey(routes, site.modes(), site.target(), response, false);
             }
-            int from = sector;
-            site.from(sector).map(route -> site.describe(from, route)).ifPresent(routes::add);
             searched.accept(sector);
         }
         return new RouteSurvey(routes, site.modes(), site.target(), response, true);

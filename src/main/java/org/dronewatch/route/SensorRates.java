@@ -1,5 +1,6 @@
 package org.dronewatch.route;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -28,7 +29,7 @@ import org.dronewatch.sensor.SensorSettings;
  */
 final class SensorRates {
     /** The steps of a probability in a field. */
-    private static final int STEPS = 250;
+    static final int STEPS = 250;
 
     /**
      * The number of independent looks per mean distance between traced positions. Near the threshold, these are closer
@@ -56,15 +57,19 @@ final class SensorRates {
     /** By step of the probability, 1/s. */
     private final double[] rates = new double[STEPS + 1];
 
+    /** By step, the rate at the least probability that is rounded to it, 1/s. */
+    private final double[] leastRates = new double[STEPS + 1];
+
     /**
      * The rates of a sensor.
      *
+     * @param cells where the cells of the field are
      * @param sensor its number in the field
      */
-    SensorRates(ModeField flown, int sensor, SceneSettings settings) {
+    SensorRates(ModeField flown, FieldCells cells, int sensor, SceneSettings settings) {
         this.field = flown.field();
         this.sensor = sensor;
-        this.cells = new FieldCells(field);
+        this.cells = cells;
         SensorSettings<?> its = settings.enabledSensors().get(field.sensors().get(sensor));
         List<Course> all = field.courses();
         int[] compass = IntStream.range(0, all.size())
@@ -88,6 +93,9 @@ final class SensorRates {
         double looks = Math.min(its.rate(), INDEPENDENT * flown.mode().speed() / unknownOver());
         for (int step = 1; step <= STEPS; step++) {
             rates[step] = rate(its, (double) step / STEPS, step == STEPS ? its.rate() : looks);
+            // The lowest step stands for any probability above 0, the highest for 1 alone.
+            double least = step == 1 ? 0.0 : (step - (step == STEPS ? 0.0 : 0.5)) / STEPS;
+            leastRates[step] = rate(its, least, step == STEPS ? its.rate() : looks);
         }
     }
 
@@ -132,54 +140,57 @@ final class SensorRates {
         return field.steps(sensor, level, column, row, courses[course]);
     }
 
-    /** The rate at a position in a cell, 1/s. */
-    double rate(int level, int column, int row, double x, double y, double z, LegMotion motion) {
-        if (response.isEmpty()) {
-            return rates[steps(level, column, row, nearest(motion))];
-        }
-        if (isAlike(level, column, row)) {
-            return rates[steps(level, column, row, 0)];
-        }
-        CourseBracket bracket = bracket(level, column, row, response.get().of(x, y, z, motion), motion);
-        int low = steps(level, column, row, bracket.below());
-        int high = steps(level, column, row, bracket.above());
-        int between = low == high ? low : (int) Math.rint(low + bracket.fraction() * (high - low));
-        // Probabilities of 0 and 1 are exact, so that none in between is rounded to them.
-        boolean isExact = between == low || between == high;
-        return rates[isExact ? between : Math.max(1, Math.min(STEPS - 1, between))];
+    /**
+     * The rate that one of some cells, given by its corner, has for a motion, if it is the same at all positions, 1/s;
+     * otherwise NaN.
+     */
+    double steady(CellCorners corners, int corner, LegMotion motion) {
+        int level = corners.level(corner);
+        int column = corners.column(corner);
+        int row = corners.row(corner);
+        boolean isSteady = response.isEmpty() || isAlike(level, column, row);
+        return isSteady ? rates[steps(level, column, row, nearest(motion))] : Double.NaN;
     }
 
-    private CourseBracket bracket(int level, int column, int row, double passing, LegMotion motion) {
-        return response.orElseThrow()
-                .courses(cells.x(column), cells.y(row), cells.z(level, column, row), passing, motion);
+    /** The rate that such a cell has if it depends on the {@linkplain #passing fraction of the signal} that passes. */
+    CellRate unsteady(CellCorners corners, int corner, LegMotion motion) {
+        int level = corners.level(corner);
+        int column = corners.column(corner);
+        int row = corners.row(corner);
+        int[] codes = new int[courses.length];
+        Arrays.setAll(codes, course -> steps(level, column, row, course));
+        double x = cells.x(column);
+        double y = cells.y(row);
+        RadialResponse radial = response.orElseThrow();
+        return new CellRate(
+                rates, codes, radial.onCourses(x, y, cells.z(level, column, row)), radial.along(x, y, motion));
     }
 
-    /** The course on which the sensor sees most nearly what it sees of a drone at a position in a cell. */
-    int course(int level, int column, int row, double x, double y, double z, LegMotion motion) {
-        if (response.isEmpty() || isAlike(level, column, row)) {
-            return courses[nearest(motion)];
-        }
-        CourseBracket bracket = bracket(level, column, row, response.get().of(x, y, z, motion), motion);
-        return courses[bracket.fraction() < 0.5 ? bracket.below() : bracket.above()];
+    /** The fraction of the signal that passes at a position, for a sensor that rejects low radial speeds, 0 to 1. */
+    double passing(double x, double y, double z, LegMotion motion) {
+        return response.orElseThrow().of(x, y, z, motion);
+    }
+
+    /** The course on which the sensor sees most nearly what it sees of a drone at a position, as a cell has it. */
+    int course(CellCorners corners, int corner, double x, double y, double z, LegMotion motion) {
+        return Double.isNaN(steady(corners, corner, motion))
+                ? courses[unsteady(corners, corner, motion).course(passing(x, y, z, motion))]
+                : courses[nearest(motion)];
     }
 
     /**
-     * The least rate in a cell on one compass heading; of a sensor that rejects low radial speeds, that on any course.
+     * The least rate in a cell on one compass heading, whatever the probabilities were before they were rounded; of a
+     * sensor that rejects low radial speeds, that on any course.
      */
     double least(int level, int column, int row, int heading) {
         if (response.isEmpty()) {
-            return rates[steps(level, column, row, heading)];
+            return leastRates[steps(level, column, row, heading)];
         }
         int least = STEPS;
         for (int course = 0; course < courses.length; course++) {
             least = Math.min(least, steps(level, column, row, course));
         }
-        return rates[least];
-    }
-
-    /** Whether the rate is the same at all positions in a cell, for the same motion. */
-    boolean isConstant(int level, int column, int row) {
-        return response.isEmpty() || isAlike(level, column, row);
+        return leastRates[least];
     }
 
     private boolean isAlike(int level, int column, int row) {

@@ -85,6 +85,90 @@ class FieldExposureTest {
         assertThat(detecting).isBetween(200, 1800);
     }
 
+    /** Between the middles of eight cells, each contributes by how near it is along each axis. */
+    @Test
+    void ratesAreInterpolatedBetweenTheMiddlesOfCells() throws IOException {
+        site = FieldSite.in(directory, FieldSite.ROUND.replace("minSpeed: 3 m/s", "minSpeed: 0 m/s"));
+        field = site.field(GRID, 2);
+        FieldExposure exposure = exposure();
+        long seed = 37;
+        SplittableRandom random = new SplittableRandom(seed);
+        int mixed = 0;
+        List<Double> heights = GRID.heights();
+        for (int i = 0; i < 2000; i++) {
+            int level = random.nextInt(2);
+            int column = random.nextInt(24);
+            int row = random.nextInt(24);
+            double[] shares = random.doubles(3).toArray();
+            LegMotion motion = motion(2.0 * Math.PI * random.nextInt(8) / 8);
+            Position low = field.middle(level, column, row);
+            Position high = field.middle(level + 1, column + 1, row + 1);
+            double expected = 0.0;
+            double weights = 0.0;
+            double ground = 0.0;
+            double least = Double.POSITIVE_INFINITY;
+            double most = 0.0;
+            for (int corner = 0; corner < 8; corner++) {
+                int u = corner & 1;
+                int v = corner >> 1 & 1;
+                int w = corner >> 2;
+                double plan = Math.abs(1 - u - shares[0]) * Math.abs(1 - v - shares[1]);
+                ground += 0.5 * plan * field.ground(column + u, row + v);
+                if (field.isOpen(level + w, column + u, row + v)) {
+                    Position at = field.middle(level + w, column + u, row + v);
+                    double rate = exposure.rate(at.x(), at.y(), at.z(), motion, 0);
+                    double weight = plan * Math.abs(1 - w - shares[2]);
+                    expected += weight * rate;
+                    weights += weight;
+                    least = Math.min(least, rate);
+                    most = Math.max(most, rate);
+                }
+            }
+            Position at = new Position(
+                    low.x() + shares[0] * (high.x() - low.x()),
+                    low.y() + shares[1] * (high.y() - low.y()),
+                    ground + (1.0 - shares[2]) * heights.get(level) + shares[2] * heights.get(level + 1));
+            double found = exposure.rate(at.x(), at.y(), at.z(), motion, 0);
+            assertThat(exposure.least(at, at, 0)).isLessThanOrEqualTo((1.0 + 1e-12) * found);
+            if (weights > 0.0) {
+                assertThat(found).as("seed %d, cell %d", seed, i).isCloseTo(expected / weights, within(1e-6));
+                mixed += least < most ? 1 : 0;
+            }
+        }
+        assertThat(mixed).isGreaterThan(50);
+    }
+
+    /** The mean along a leg is that of the rates at ten thousand points of it, whatever the leg passes. */
+    @Test
+    void theMeanAlongALegIsThatOfManyPoints() {
+        FieldExposure exposure = exposure();
+        long seed = 38;
+        SplittableRandom random = new SplittableRandom(seed);
+        int partly = 0;
+        for (int i = 0; i < 60; i++) {
+            Position from = anywhere(random);
+            Position to = anywhere(random);
+            Position along = to.minus(from);
+            LegMotion motion = LegMotion.along(along.x(), along.y(), along.z(), along.length() / 12.0);
+            double sum = 0.0;
+            int points = 10_000;
+            for (int point = 0; point < points; point++) {
+                Position at = from.plus(along.times((point + 0.5) / points));
+                sum += exposure.rate(at.x(), at.y(), at.z(), motion, 0);
+            }
+            double mean = exposure.mean(from, to, motion, 0, 10.0);
+            // A radar's blindness to part of a cell is found on pieces of 2.5 m.
+            assertThat(mean).as("seed %d, leg %d", seed, i).isCloseTo(sum / points, within(0.02 * rate() * CERTAIN));
+            partly += mean > 0.1 && mean < 0.9 * rate() * CERTAIN ? 1 : 0;
+        }
+        assertThat(partly).isGreaterThan(20);
+    }
+
+    private static Position anywhere(SplittableRandom random) {
+        return new Position(
+                480 * (random.nextDouble() - 0.5), 480 * (random.nextDouble() - 0.5), 10 + 50 * random.nextDouble());
+    }
+
     /** On both courses across its line of sight, the radar is blind; elsewhere it is not. */
     @Test
     void aCourseAcrossTheLineOfSightHasItsOwnRate() {
@@ -121,7 +205,8 @@ class FieldExposureTest {
             double speed = 4.0 + 8.0 * random.nextDouble();
             LegMotion motion = LegMotion.along(
                     speed * Math.sin(heading), speed * Math.cos(heading), 6.0 * (random.nextDouble() - 0.5), 1.0);
-            boolean isSeen = exposure.rate(at.x(), at.y(), at.z(), receding, 0) > 0.0
+            // Beside what hides the drone, the rate lies between those of cells.
+            boolean isSeen = exposure.rate(at.x(), at.y(), at.z(), receding, 0) > 0.999999 * rate() * CERTAIN
                     && isDetected(assessor, drone, at, receding);
             if (isSeen) {
                 boolean isExpected = isDetected(assessor, drone, at, motion);

@@ -117,10 +117,10 @@ class OtherRoutesTest {
             int pieces = (int) Math.ceil(leg.length() / 2.0);
             for (int piece = 0; piece <= pieces; piece++) {
                 Position at = from.plus(leg.times((double) piece / Math.max(1, pieces)));
-                int column = cells.column(at.x());
-                int row = cells.row(at.y());
-                int level = cells.level(column, row, at.z());
-                if (level < 0 || !field.isOpen(level, column, row)) {
+                int column = (int) Math.rint(cells.column(at.x()));
+                int row = (int) Math.rint(cells.row(at.y()));
+                int level = (int) Math.rint(cells.level(column, row, at.z()));
+                if (!field.isOpen(level, column, row)) {
                     return false;
                 }
             }

@@ -3,9 +3,7 @@ package org.dronewatch.route.search;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/**
- * Whether a drone can fly straight from one point to another without hitting anything solid. For one thread at a time.
- */
+/** Whether a drone can fly straight from one point to another without hitting anything solid. Thread-safe. */
 @FunctionalInterface
 public interface Passage {
     /** A passage through a world in which nothing is solid. */
@@ -16,6 +14,8 @@ public interface Passage {
 
     /** The passage between the surfaces of a world, for a drone treated as a point. */
     static Passage through(World world) {
-        return new Visibility(world)::isFree;
+        // A ray tracer serves one thread.
+        ThreadLocal<Visibility> here = ThreadLocal.withInitial(() -> new Visibility(world));
+        return (x, y, z, toX, toY, toZ) -> here.get().isFree(x, y, z, toX, toY, toZ);
     }
 }

@@ -4,8 +4,9 @@ import java.util.Arrays;
 
 /**
  * The legs between nodes: straight in plan, level or one level up or down. Their exposure is the time that they take
- * times the mean rate on the leg's own heading, by the trapezoidal rule over the nodes that they pass. Where the drone
- * needs room to turn, and where it glides, a leg leads over several nodes. Immutable.
+ * times the mean rate on the leg's own heading, where the rate is bilinear between the nodes of a level, and a leg that
+ * climbs or descends passes from the rate at one level to that at the other in proportion to the distance. Where the
+ * drone needs room to turn, and where it glides, a leg leads over several nodes. Immutable.
  */
 final class RouteEdges {
     /** Up, level, down. */
@@ -17,7 +18,7 @@ final class RouteEdges {
     private final PlanDirections directions;
     private final RouteMode[] modes;
     private final double turnRadius;
-    private final NodeRates rates;
+    private final LegRates rates;
 
     /** By direction, the horizontal length of the shortest leg, m. */
     private final double[] units;
@@ -25,16 +26,21 @@ final class RouteEdges {
     /** By direction and number of repeats, the nodes that a level leg passes, relative to its beginning. */
     private final int[][][] passed;
 
+    /** By direction, the node to which the shortest leg leads, relative to its beginning. */
+    private final int[] shortest;
+
     RouteEdges(RouteProblem problem) {
         this.grid = problem.grid();
         this.directions = problem.directions();
         this.modes = problem.modes().toArray(RouteMode[]::new);
         this.turnRadius = problem.turnRadius();
-        this.rates = new NodeRates(problem);
+        this.rates = new LegRates(problem);
         this.units = new double[directions.count()];
         Arrays.setAll(units, this::unit);
         this.passed = new int[units.length][][];
         Arrays.setAll(passed, this::passed);
+        this.shortest = new int[units.length];
+        Arrays.setAll(shortest, i -> directions.north(i) * grid.columns() + directions.east(i));
     }
 
     private int[][] passed(int direction) {
@@ -91,26 +97,47 @@ final class RouteEdges {
      * @param climb by how many levels it changes
      */
     double cost(int mode, int direction, int from, int repeats, int climb) {
-        int east = repeats * directions.east(direction);
-        int north = repeats * directions.north(direction);
         int plane = grid.columns() * grid.rows();
-        int to = from + north * grid.columns() + east + climb * plane;
+        int to = from + repeats * shortest[direction] + climb * plane;
         double time = modes[mode].time(repeats * units[direction], grid.z(to) - grid.z(from));
-        if (time == Double.POSITIVE_INFINITY) {
-            return time;
+        if (time == Double.POSITIVE_INFINITY || climb != 0 && !isOpen(from, to, passed[direction][repeats], climb)) {
+            return Double.POSITIVE_INFINITY;
         }
         float[] rate = rates.of(mode, direction);
-        int[] between = passed[direction][repeats];
-        int pieces = between.length;
-        double sum = 0.5 * ((double) rate[from] + rate[to]);
-        for (int i = 1; i < pieces; i++) {
-            sum += rate[from + between[i] + (2 * i < pieces ? 0 : climb * plane)];
+        double sum = 0.0;
+        for (int i = 0; i < repeats; i++) {
+            int at = from + i * shortest[direction];
+            if (climb == 0) {
+                if (rate[at] < 0.0F) {
+                    return Double.POSITIVE_INFINITY;
+                }
+                sum += rate[at];
+            } else {
+                double climbed = (i + 0.5) / repeats;
+                sum += (1.0 - climbed) * Math.abs(rate[at]) + climbed * Math.abs(rate[at + climb * plane]);
+            }
         }
-        return time * sum / pieces;
+        return time * sum / repeats;
+    }
+
+    /**
+     * Whether a drone can be at the ends of a leg that climbs or descends, and at the nodes that it passes.
+     *
+     * @param between those that it would pass if it were level, relative to its beginning, and this itself
+     */
+    private boolean isOpen(int from, int to, int[] between, int climb) {
+        int rise = climb * grid.columns() * grid.rows();
+        int pieces = between.length;
+        for (int i = 0; i < pieces; i++) {
+            if (!grid.isOpen(from + between[i] + (2 * i < pieces ? 0 : rise))) {
+                return false;
+            }
+        }
+        return grid.isOpen(to);
     }
 
     /** A fraction of a number of nodes, rounded; halves upwards. */
-    private static int nearest(int nodes, int part, int of) {
+    static int nearest(int nodes, int part, int of) {
         return Math.floorDiv(2 * nodes * part + of, 2 * of);
     }
 }

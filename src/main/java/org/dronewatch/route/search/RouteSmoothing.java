@@ -1,6 +1,7 @@
 package org.dronewatch.route.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
@@ -24,10 +25,28 @@ final class RouteSmoothing {
     /** A leg is not split once it is shorter than this number of nodes. */
     private static final double SHORTEST = 1.5;
 
+    private static final double OBLIQUE = Math.sqrt(0.5);
+
+    /** The ways in which a point is moved: east and west, north and south, obliquely, and then up and down. */
+    private static final double[][] IN_SPACE = {
+        {1.0, 0.0, 0.0},
+        {-1.0, 0.0, 0.0},
+        {0.0, 1.0, 0.0},
+        {0.0, -1.0, 0.0},
+        {OBLIQUE, OBLIQUE, 0.0},
+        {-OBLIQUE, -OBLIQUE, 0.0},
+        {OBLIQUE, -OBLIQUE, 0.0},
+        {-OBLIQUE, OBLIQUE, 0.0},
+        {0.0, 0.0, 1.0},
+        {0.0, 0.0, -1.0}
+    };
+
+    private static final double[][] IN_PLAN = Arrays.copyOf(IN_SPACE, 8);
+
     private final RouteExposure exposure;
     private final LegLimits limits;
     private final double spacing;
-    private final int dimensions;
+    private final double[][] ways;
     private final Optional<Position> before;
     private final List<double[]> points = new ArrayList<>();
 
@@ -39,7 +58,7 @@ final class RouteSmoothing {
         this.exposure = new RouteExposure(problem);
         this.limits = new LegLimits(problem);
         this.spacing = problem.grid().spacing();
-        this.dimensions = problem.grid().levels() > 1 ? 3 : 2;
+        this.ways = problem.grid().levels() > 1 ? IN_SPACE : IN_PLAN;
         path.points().forEach(point -> points.add(new double[] {point.x(), point.y(), point.z()}));
         modes.addAll(path.modes());
     }
@@ -193,20 +212,20 @@ final class RouteSmoothing {
                 + cost(points.get(i), points.get(i + 1), modes.get(i));
     }
 
-    /** Moves a point along each axis for as long as that gains something; gives the exposure of its two legs. */
+    /** Moves a point by a step each way where that gains something; gives the exposure of its two legs. */
     private double move(int i, double before, double step) {
         double best = before;
         double[] at = points.get(i);
-        for (int axis = 0; axis < dimensions; axis++) {
-            for (int sign = -1; sign <= 1; sign += 2) {
-                double kept = at[axis];
-                at[axis] = kept + sign * step;
-                double moved = local(i);
-                if (moved < best && isAllowed(i)) {
-                    best = moved;
-                    break;
-                }
-                at[axis] = kept;
+        for (double[] way : ways) {
+            double[] kept = at.clone();
+            for (int axis = 0; axis < at.length; axis++) {
+                at[axis] += step * way[axis];
+            }
+            double moved = local(i);
+            if (moved < best && isAllowed(i)) {
+                best = moved;
+            } else {
+                System.arraycopy(kept, 0, at, 0, at.length);
             }
         }
         return best;

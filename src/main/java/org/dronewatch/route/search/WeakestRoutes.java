@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReference;
@@ -163,7 +164,12 @@ public final class WeakestRoutes {
         }
     }
 
-    /** The weakest of the routes from some nodes; empty if none of them has a route. */
+    /**
+     * The weakest of the routes from some nodes, on the {@link Workers} of the calling thread; empty if none of them
+     * has a route.
+     *
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
     public Optional<WeakestRoute> from(BitSet starts) {
         RouteExposure search = new RouteExposure(priced);
         // What the search adds up from node to node is not quite the exposure of a path, and smoothing gets further on
@@ -174,17 +180,22 @@ public final class WeakestRoutes {
                 .limit(SMOOTHED)
                 .toList();
         double lower = bound.from(starts);
-        Optional<WeakestRoute> weakest = Optional.empty();
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0;
-                i < candidates.size() && !(weakest.isPresent() && weakest.get().exposure() <= lower);
-                i++) {
-            WeakestRoute route = smoothed(candidates.get(i), lower);
-            double counted = search.along(finish.counted(route.path()));
-            weakest = counted < least ? Optional.of(route) : weakest;
-            least = Math.min(least, counted);
+        WeakestRoute[] smoothed = new WeakestRoute[candidates.size()];
+        int done = 0;
+        boolean isLeast = false;
+        while (done < smoothed.length && !isLeast) {
+            int first = done;
+            // Those that are smoothed together beyond the first that reaches the bound do not count.
+            done = Math.min(smoothed.length, first + Workers.available());
+            Workers.forEach(done - first, i -> smoothed[first + i] = smoothed(candidates.get(first + i), lower));
+            for (int i = first; i < done; i++) {
+                smoothed[i] = isLeast ? null : smoothed[i];
+                isLeast |= smoothed[i] != null && smoothed[i].exposure() <= lower;
+            }
         }
-        return weakest;
+        return Arrays.stream(smoothed)
+                .filter(Objects::nonNull)
+                .min(Comparator.comparingDouble(route -> search.along(finish.counted(route.path()))));
     }
 
     /** The route through some states, smoothed, and then to its end. */

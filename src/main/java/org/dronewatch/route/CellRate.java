@@ -1,0 +1,123 @@
+package org.dronewatch.route;
+
+/**
+ * The rate at which one sensor detects a drone with one motion at positions near the middle of one cell. If the sensor
+ * rejects low radial speeds, the rate follows from the fraction of the drone's signal that passes in flight: it lies
+ * between those of the two courses of the cell on which no more and no less passes; of several on which the same
+ * fraction passes, that with the nearest heading is taken. For one thread.
+ */
+final class CellRate {
+    /** A fraction below this counts like this one; as a power of ten. */
+    private static final double NOTHING = -1.5;
+
+    /** By code of a probability, 1/s. */
+    private final double[] rates;
+
+    /** By course, the code of the probability. */
+    private final int[] codes;
+
+    /** By course, the fraction that passes in the middle of the cell. */
+    private final double[] passes;
+
+    /** By course, the greater, the nearer its heading is to that of the drone. */
+    private final double[] along;
+
+    /** The rate where nothing passes, 1/s; NaN if it is not yet known. */
+    private double ofNothing = Double.NaN;
+
+    /** The rate where all of the signal passes, 1/s; NaN if it is not yet known. */
+    private double ofAll = Double.NaN;
+
+    /**
+     * A rate that depends on the fraction that passes.
+     *
+     * @param rates by code of a probability, 1/s
+     * @param codes by course
+     * @param passes by course, 0 to 1
+     * @param along by course, the greater, the nearer its heading is
+     */
+    CellRate(double[] rates, int[] codes, double[] passes, double[] along) {
+        this.rates = rates;
+        this.codes = codes;
+        this.passes = passes;
+        this.along = along;
+    }
+
+    /** The course on which no more passes than in flight, or the one on which the least passes. */
+    private int below(double passing) {
+        int below = -1;
+        for (int course = 0; course < passes.length; course++) {
+            boolean isNearer = below < 0
+                    || passes[course] > passes[below]
+                    || passes[course] == passes[below] && along[course] > along[below];
+            below = passes[course] <= passing && isNearer ? course : below;
+        }
+        return below;
+    }
+
+    /** The course on which no less passes than in flight. */
+    private int above(double passing) {
+        int above = -1;
+        for (int course = 0; course < passes.length; course++) {
+            boolean isNearer = above < 0
+                    || passes[course] < passes[above]
+                    || passes[course] == passes[above] && along[course] > along[above];
+            above = passes[course] >= passing && isNearer ? course : above;
+        }
+        return above;
+    }
+
+    /**
+     * The rate in flight, 1/s.
+     *
+     * @param passing the fraction of the signal that passes in flight, 0 to 1
+     */
+    double at(double passing) {
+        // Sensors with a least radial speed let all or nothing pass.
+        if (passing == 0.0) {
+            ofNothing = Double.isNaN(ofNothing) ? between(0.0) : ofNothing;
+            return ofNothing;
+        }
+        if (passing == 1.0) {
+            ofAll = Double.isNaN(ofAll) ? between(1.0) : ofAll;
+            return ofAll;
+        }
+        return between(passing);
+    }
+
+    private double between(double passing) {
+        int below = below(passing);
+        int above = above(passing);
+        if (below < 0 || above < 0) {
+            return rates[codes[Math.max(below, above)]];
+        }
+        int low = codes[below];
+        int high = codes[above];
+        if (low == high) {
+            return rates[low];
+        }
+        double from = decades(passes[below]);
+        double to = decades(passes[above]);
+        double fraction = to > from ? (decades(passing) - from) / (to - from) : 0.0;
+        int between = (int) Math.rint(low + fraction * (high - low));
+        // Probabilities of 0 and 1 are exact, so that none in between is rounded to them.
+        boolean isExact = between == low || between == high;
+        return rates[isExact ? between : Math.max(1, Math.min(SensorRates.STEPS - 1, between))];
+    }
+
+    /** The course on which the sensor sees most nearly what it sees in flight. */
+    int course(double passing) {
+        int below = below(passing);
+        int above = above(passing);
+        if (below < 0 || above < 0) {
+            return Math.max(below, above);
+        }
+        double from = decades(passes[below]);
+        double to = decades(passes[above]);
+        return to > from && decades(passing) - from >= 0.5 * (to - from) ? above : below;
+    }
+
+    private static double decades(double passing) {
+        return Math.max(NOTHING, Math.log10(passing));
+    }
+}
