@@ -62,19 +62,18 @@ public record SectorRoute(
      * @param response time that the response takes, s; 0 if none is required
      */
     public double inTime(double response) {
-        return flown.map(looks -> looks.detection(response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY))
-                .orElse(route.detection());
+        return flown.map(looks -> looks.detection(counted(response))).orElse(route.detection());
     }
 
     /**
-     * Whether the search and the flight disagree by more than 20 percentage points on the probability of a detection,
-     * or of one that is early enough for a response.
+     * Whether the search and the flight disagree by more than 20 percentage points on the probability of a detection
+     * that counts: of one that is early enough for a response, if one is required, since where a detection would come
+     * too late, the search only looks for the fastest route.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudged(double response) {
-        return Math.abs(detection() - searched.detection()) > MISJUDGED
-                || Math.abs(inTime(response) - route.detection()) > MISJUDGED;
+        return Math.abs(inTime(response) - route.detection()) > MISJUDGED;
     }
 
     /**
@@ -84,13 +83,8 @@ public record SectorRoute(
      * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudgedForScans(double response) {
-        return flown.isPresent()
-                && (isApart(flown.get(), Double.POSITIVE_INFINITY)
-                        || response > 0.0 && isApart(flown.get(), critical(response)));
-    }
-
-    private static boolean isApart(FlownExposure looks, double until) {
-        return Math.abs(looks.detectionByFastLooks(until) - looks.detection(until)) > MISJUDGED / 2;
+        return flown.map(looks -> isApart(looks.detectionByFastLooks(counted(response)), inTime(response)))
+                .orElse(false);
     }
 
     /**
@@ -100,16 +94,17 @@ public record SectorRoute(
      * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudgedForCells(double response) {
-        return flown.isPresent()
-                && (isApart(flown.get(), Double.POSITIVE_INFINITY, searched.detection())
-                        || isApart(
-                                flown.get(),
-                                response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY,
-                                route.detection()));
+        return flown.map(looks -> isApart(looks.detectionByFastLooks(counted(response)), route.detection()))
+                .orElse(false);
     }
 
-    private static boolean isApart(FlownExposure looks, double until, double estimate) {
-        return Math.abs(looks.detectionByFastLooks(until) - estimate) > MISJUDGED / 2;
+    private static boolean isApart(double one, double other) {
+        return Math.abs(one - other) > MISJUDGED / 2;
+    }
+
+    /** The last moment at which a detection counts, s since the start. */
+    private double counted(double response) {
+        return response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY;
     }
 
     /** The probability that the drone is detected up to and including a time, s since the start; 0 to 1. */

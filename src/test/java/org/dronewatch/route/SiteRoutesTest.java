@@ -90,8 +90,8 @@ class SiteRoutesTest {
                     .isCloseTo(route.sector() == 3 ? 0.0 : -Math.expm1(-3.0), within(1e-12));
             assertThat(route.mostExposedTo().isPresent()).isEqualTo(route.sector() != 3);
             assertThat(route.isMisjudged(5.0))
-                    .isEqualTo(Math.abs(detected - route.searched().detection()) > 0.2
-                            || Math.abs(detected - route.route().detection()) > 0.2);
+                    .isEqualTo(Math.abs(detected - route.route().detection()) > 0.2);
+            assertThat(route.isMisjudged(0.0)).isEqualTo(route.isMisjudged(5.0));
         }
     }
 

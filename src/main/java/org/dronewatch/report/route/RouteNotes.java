@@ -53,8 +53,8 @@ final class RouteNotes {
                         + Numbers.text(inputs.grid().cell()) + " m misjudges the "
                         + (sectors.size() == 1 ? "route" : "routes") + " from the "
                         + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
-                        + ": as flown, the chance of a detection, or of one in time, differs by more than 20"
-                        + " percentage points"
+                        + ": as flown, the chance of a detection"
+                        + (survey.response() > 0.0 ? " in time" : "") + " differs by more than 20 percentage points"
                         + causes(survey));
     }
 
