@@ -35,6 +35,16 @@ record FlownSite(
     /** At the camera, which otherwise leaves nothing to chance. */
     private static final Map<String, String> OBSERVER = observer("camera");
 
+    /** At both cameras. */
+    private static final Map<String, String> OBSERVERS = observers(List.of("garden", "west"));
+
+    /** Indoors: the observer alone, since echoes hide every difference between places from the microphone. */
+    private static final Map<String, String> OBSERVER_ALONE = new LinkedHashMap<>(OBSERVER);
+
+    static {
+        OBSERVER_ALONE.put("sensors.microphone.enabled", "false");
+    }
+
     /** Of the build. */
     static final FlownSite SHORT =
             new FlownSite("meadow", "scenes/meadow.yaml", NO_RECEIVER, "intruder", 3000, 150, 0.01);
@@ -52,12 +62,15 @@ record FlownSite(
             new FlownSite("false-alarms", "scenes/false-alarms.yaml", Map.of(), "intruder", 1200, 40, 1e-3),
             new FlownSite("radar-clutter", "scenes/radar-clutter.yaml", Map.of(), "coming", 1200, 40, 1e-2),
             new FlownSite("camera-range", "camera-range", OBSERVER, "quadrotor", 500, 20, 0.01),
+            new FlownSite("daylight", "scenes/daylight.yaml", OBSERVERS, "quadrotor", 400, 20, 0.01),
+            new FlownSite("closed-space", "scenes/closed-space.yaml", OBSERVER_ALONE, "quadrotor", 40, 2, 0.01),
             monaco("monaco", NO_MICROPHONE, 2400, 80),
             monaco("monaco-without-receiver", NEITHER, 2400, 80));
 
     /** With a microphone, only for a few random flights. */
     static final List<FlownSite> HEARD = List.of(
             monaco("monaco-microphone", others(), 1200, 300),
+            new FlownSite("listening-post", "scenes/listening-post.yaml", Map.of(), "intruder", 800, 50, 0.01),
             new FlownSite("acoustic-range", "acoustic-range", Map.of(), "quadrotor", 500, 50, 0.01),
             new FlownSite("multi-sensor-microphone", "multi-sensor", noCameras(), "quadrotor", 300, 30, 0.01));
 
@@ -77,7 +90,13 @@ record FlownSite(
     /** At each of the twelve cameras, which otherwise leave nothing to chance. */
     private static Map<String, String> observers() {
         Map<String, String> overrides = new LinkedHashMap<>(NO_MICROPHONE);
-        cameras().forEach(camera -> overrides.putAll(observer(camera)));
+        overrides.putAll(observers(cameras()));
+        return overrides;
+    }
+
+    private static Map<String, String> observers(List<String> cameras) {
+        Map<String, String> overrides = new LinkedHashMap<>();
+        cameras.forEach(camera -> overrides.putAll(observer(camera)));
         return overrides;
     }
 

@@ -23,8 +23,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Weakest routes and random flights of real scenes, flown with many seeds: the predictions of detections, and of alerts
- * in time, lie in the 99 % intervals, but for one in a hundred. Of 1,000 runs, 50 are repeated as plain runs. In the
- * long form, {@code -Ddronewatch.sites=meadow,glider} chooses scenes. Each flight is a line as soon as it is done.
+ * in time, lie in Wilson's 99 % intervals, but for three in a hundred; in the short form, in these or the exact ones.
+ * Of 1,000 runs, 50 are repeated as plain runs, whose first detection and alert must be the same. In the long form,
+ * {@code -Ddronewatch.sites=meadow,glider} chooses scenes. Each flight is a line as soon as it is done.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class PackagedRouteTest {
@@ -46,11 +47,13 @@ class PackagedRouteTest {
     // The short form has a fixed seed: by chance, one in a hundred lies outside.
     private final long seed = LongForm.seed(8);
 
+    /** Predictions outside Wilson's interval; in the short form, outside the exact one, too. */
     private final List<String> outside = new ArrayList<>();
+
     private int all;
     private int undecided;
 
-    /** Predictions outside Wilson's interval that are not implausible: less than one detection is expected. */
+    /** Predictions outside Wilson's interval but inside the exact one: less than one detection is expected. */
     private int rare;
 
     static List<FlownSite> sites() {
@@ -147,7 +150,7 @@ class PackagedRouteTest {
         boolean isUndecided = proven.predicted() > 0.01 && proven.predicted() < 0.99;
         all++;
         undecided += isUndecided ? 1 : 0;
-        rare += proven.agrees() && !interval.contains(proven.predicted()) ? 1 : 0;
+        rare += proven.agrees() && !proven.isInInterval() ? 1 : 0;
         String figures = String.format(
                 Locale.ROOT,
                 "%s: predicted %.3f %%, occurred in %d of %d runs, %.3f to %.3f %%",
@@ -157,8 +160,13 @@ class PackagedRouteTest {
                 RUNS,
                 100.0 * interval.low(),
                 100.0 * interval.high());
-        say("%s; %s; %.1f s", figures, proven.agrees() ? "agrees" : "OUTSIDE", since(begun));
-        if (!proven.agrees()) {
+        say(
+                "%s; %s; %.1f s",
+                figures,
+                proven.isInInterval() ? "agrees" : proven.agrees() ? "outside Wilson's interval only" : "OUTSIDE",
+                since(begun));
+        // Of a few runs, Wilson's interval is too narrow.
+        if (LongForm.IS_ON ? !proven.isInInterval() : !proven.agrees()) {
             outside.add(figures + ", " + scene.individualDrones().values());
         }
     }

@@ -6,12 +6,13 @@ import java.util.function.LongSupplier;
 import org.dronewatch.setting.PlainText;
 
 /**
- * States how far a task has come where no bar can be drawn: in a line every five seconds and one at its end.
- * Thread-safe.
+ * States how far a task has come where no bar can be drawn: in a line every five seconds and one at its end or, as a
+ * sign of life, in a single line after half a minute. Thread-safe.
  */
 final class ProgressLines {
     private static final double NANO = 1e-9;
     private static final double EVERY_SECONDS = 5.0;
+    private static final double SIGN_OF_LIFE_SECONDS = 30.0;
     private static final int MINUTE = 60;
     private static final long PERCENT = 100;
 
@@ -20,15 +21,31 @@ final class ProgressLines {
     private final PrintWriter err;
     private final LongSupplier clock;
     private final long start;
-    private double next = EVERY_SECONDS;
+    private final double every;
+    private final boolean isEndStated;
+    private double next;
 
     /**
-     * The task begins.
+     * The task begins, and is stated regularly.
      *
      * @param steps their approximate number; negative if it is not known
      * @param clock gives the time, ns
      */
     ProgressLines(String task, long steps, PrintWriter err, LongSupplier clock) {
+        this(task, steps, err, clock, EVERY_SECONDS, EVERY_SECONDS, true);
+    }
+
+    private ProgressLines(
+            String task,
+            long steps,
+            PrintWriter err,
+            LongSupplier clock,
+            double first,
+            double every,
+            boolean isEndStated) {
+        this.next = first;
+        this.every = every;
+        this.isEndStated = isEndStated;
         this.task = PlainText.value(task);
         this.steps = steps;
         this.err = err;
@@ -36,14 +53,19 @@ final class ProgressLines {
         this.start = clock.getAsLong();
     }
 
+    /** The task begins, and gives a single sign of life if it takes long; arguments as for the constructor. */
+    static ProgressLines once(String task, long steps, PrintWriter err, LongSupplier clock) {
+        return new ProgressLines(task, steps, err, clock, SIGN_OF_LIFE_SECONDS, Double.POSITIVE_INFINITY, false);
+    }
+
     /** A number of steps is done in all. */
     synchronized void reached(long done) {
         double seconds = seconds();
         if (seconds >= next && done > 0 && steps < 0) {
-            next = seconds + EVERY_SECONDS;
+            next = seconds + every;
             err.printf(Locale.ROOT, "%s: %d after %s%n", task, done, duration(seconds));
         } else if (seconds >= next && done > 0 && done < steps) {
-            next = seconds + EVERY_SECONDS;
+            next = seconds + every;
             String left = duration(seconds * (steps - done) / done);
             err.printf(Locale.ROOT, "%s: %d %%, %s left%n", task, PERCENT * done / steps, left);
         }
@@ -51,7 +73,9 @@ final class ProgressLines {
 
     /** The task is complete. */
     synchronized void ended() {
-        err.printf(Locale.ROOT, "%s: done after %s%n", task, duration(seconds()));
+        if (isEndStated) {
+            err.printf(Locale.ROOT, "%s: done after %s%n", task, duration(seconds()));
+        }
     }
 
     private double seconds() {

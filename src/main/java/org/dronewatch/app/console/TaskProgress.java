@@ -23,9 +23,9 @@ public record TaskProgress(Amount amount, PrintWriter err) {
     enum Amount {
         /** Warnings only. */
         NOTHING,
-        /** Notes, and bars if there is a terminal. */
+        /** Notes, and bars if there is a terminal; if there is none, a single line for each task that takes long. */
         ON_A_TERMINAL,
-        /** The same, and lines if there is no terminal. */
+        /** Notes, and bars if there is a terminal; if there is none, regular lines. */
         EVERYWHERE
     }
 
@@ -49,10 +49,12 @@ public record TaskProgress(Amount amount, PrintWriter err) {
             if (bar != null) {
                 return work.apply(total(bar::stepTo));
             }
-            if (amount != Amount.EVERYWHERE) {
+            if (isQuiet()) {
                 return work.apply(some -> {});
             }
-            ProgressLines lines = new ProgressLines(task, steps, err, System::nanoTime);
+            ProgressLines lines = amount == Amount.EVERYWHERE
+                    ? new ProgressLines(task, steps, err, System::nanoTime)
+                    : ProgressLines.once(task, steps, err, System::nanoTime);
             T result = work.apply(total(lines::reached));
             lines.ended();
             return result;

@@ -50,7 +50,7 @@ final class ProofRuns {
                     long seed = RouteProof.seed(settings, run);
                     FlownRun flown = seeded.get(begin).fly(seed, alerts);
                     if (RouteProof.isPlain(run)) {
-                        check(flown.detection(), settings, seed);
+                        check(flown, settings, seed, alerts);
                     }
                     isDetected[run] = flown.detection().isPresent();
                     isInTime[run] = flown.isAlertedBy(flights.get(begin).critical());
@@ -87,21 +87,24 @@ final class ProofRuns {
         return new ProvenChance(predicted, new Proportion(count, runs));
     }
 
-    private void check(Optional<Observation> replayed, SceneSettings settings, long seed) {
-        Optional<Observation> plain = RouteProof.plain(settings, seed, models);
+    private void check(FlownRun replayed, SceneSettings settings, long seed, Optional<Confirmation> alerts) {
+        FlownRun plain = new PlainFlight(settings, models).fly(seed, alerts);
         if (!isSame(replayed, plain, settings)) {
-            throw new IllegalStateException("the first detection in the run with seed " + seed + " is " + plain
-                    + ", but in the replay of its looks " + replayed);
+            throw new IllegalStateException(
+                    "the run with seed " + seed + " gives " + plain + ", but the replay of its looks " + replayed);
         }
     }
 
     /**
-     * Whether the same look detects the drone first: with the same values, too, where chance is drawn for each look.
-     * Of the looks of observers, only what the next ones depend on is replayed.
+     * Whether the same look detects the drone first, and the alert is raised at the same time: with the same values of
+     * the look, too, where chance is drawn for each look. Of the looks of observers, only what the next ones depend on
+     * is replayed.
      */
-    private static boolean isSame(Optional<Observation> replayed, Optional<Observation> plain, SceneSettings settings) {
-        return replayed.map(Observation::look).equals(plain.map(Observation::look))
-                && (replayed.filter(look -> isDrawnPerLook(look, settings)).isEmpty() || replayed.equals(plain));
+    static boolean isSame(FlownRun replayed, FlownRun plain, SceneSettings settings) {
+        Optional<Observation> first = replayed.detection();
+        return replayed.alert().equals(plain.alert())
+                && first.map(Observation::look).equals(plain.detection().map(Observation::look))
+                && (first.filter(look -> isDrawnPerLook(look, settings)).isEmpty() || first.equals(plain.detection()));
     }
 
     private static boolean isDrawnPerLook(Observation look, SceneSettings settings) {

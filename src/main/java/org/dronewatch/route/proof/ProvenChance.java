@@ -20,13 +20,17 @@ public record ProvenChance(double predicted, Proportion flown) {
         return flown.wilson(CONFIDENCE);
     }
 
+    /** Whether the prediction lies in this interval. */
+    public boolean isInInterval() {
+        return predicted >= interval().low() - ROUNDING
+                && predicted <= interval().high() + ROUNDING;
+    }
+
     /**
      * Whether the prediction lies in this interval or in the exact one: if less than one case is expected, a single one
      * is less rare than the Wilson interval implies.
      */
     public boolean agrees() {
-        boolean isInside = predicted >= interval().low() - ROUNDING
-                && predicted <= interval().high() + ROUNDING;
-        return isInside || flown.isPlausible(predicted, CONFIDENCE);
+        return isInInterval() || flown.isPlausible(predicted, CONFIDENCE);
     }
 }

@@ -12,7 +12,6 @@ import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Mounted;
-import org.dronewatch.sensor.Observation;
 import org.dronewatch.statistics.Proportion;
 
 /**
@@ -48,7 +47,8 @@ public record RouteProof(
     /**
      * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the result does not depend on their
      * number. Run {@code i} has the seed {@link #seed}. One in twenty is repeated by a
-     * {@link org.dronewatch.run.RunSession}.
+     * {@link org.dronewatch.run.RunSession}, which must give the same first detection and, where alerts are predicted,
+     * the same alert.
      *
      * @param scene scene with one drone, such as a {@link RouteScene}; its cues are ignored
      * @param models models of the scene
@@ -70,13 +70,6 @@ public record RouteProof(
         return run % PLAIN == run / PLAIN % PLAIN;
     }
 
-    /** Runs on this thread alone, as the runs are shared among the threads. */
-    static Optional<Observation> plain(SceneSettings settings, long seed, ModelCache models) {
-        try (Workers alone = new Workers(1)) {
-            return alone.call(() -> SeededFlights.firstDetectionOfRun(settings, seed, models));
-        }
-    }
-
     /**
      * How many runs with the same seeds, and the same moments at which the route begins, detect the drone with all
      * cues: positioners follow what their own sensors see, and other sensors, or false alarms, cue them. Each is a
@@ -88,7 +81,9 @@ public record RouteProof(
                 .toList();
         boolean[] isDetected = new boolean[runs];
         Workers.forEach(runs, run -> {
-            isDetected[run] = plain(begun.get(run % begun.size()), seed(scene, run), models)
+            isDetected[run] = new PlainFlight(begun.get(run % begun.size()), models)
+                    .fly(seed(scene, run), Optional.empty())
+                    .detection()
                     .isPresent();
             progress.accept(1);
         });

@@ -6,9 +6,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.fusion.Confirmation;
 import org.dronewatch.fusion.ConfirmedLooks;
-import org.dronewatch.run.RunSession;
-import org.dronewatch.run.model.ModelCache;
-import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Encounters;
 import org.dronewatch.sensor.Look;
@@ -75,25 +72,10 @@ final class SeededFlights {
         return detection(List.of(seen));
     }
 
-    private static Optional<Observation> detection(List<Observation> observations) {
+    /** The first of these that detects a drone. */
+    static Optional<Observation> detection(List<Observation> observations) {
         return observations.stream()
                 .filter(one -> one.isDetected() && !one.isFalse())
                 .findFirst();
-    }
-
-    /** The first detection on the route by a plain run. */
-    static Optional<Observation> firstDetectionOfRun(SceneSettings settings, long seed, ModelCache models) {
-        try (RunSession session = new RunSession(settings, seed, models)) {
-            double begin = RouteScene.begin(settings);
-            while (session.nextTime().isPresent()) {
-                Optional<Observation> detection = detection(session.advance().observations().stream()
-                        .filter(one -> one.truth().time() >= begin)
-                        .toList());
-                if (detection.isPresent()) {
-                    return detection;
-                }
-            }
-            return Optional.empty();
-        }
     }
 }

@@ -29,4 +29,19 @@ class ProgressLinesTest {
                         "field: 2 %, 3 min left",
                         "field: 5 %, 3 min left", "field: 7 %, 3 min left", "field: done after 4 min");
     }
+
+    /** In a batch job, a long task shows that it is alive, and a short one says nothing. */
+    @Test
+    void aSignOfLifeIsASingleLineAfterHalfAMinute() {
+        StringWriter said = new StringWriter();
+        ProgressLines lines = ProgressLines.once("field", 2_000, new PrintWriter(said, true), () -> now);
+        for (int second = 1; second <= 160; second++) {
+            now += SECOND;
+            lines.reached(10L * second);
+            assertThat(said.toString().isEmpty()).isEqualTo(second < 30);
+        }
+        lines.ended();
+
+        assertThat(said.toString().lines()).containsExactly("field: 15 %, 3 min left");
+    }
 }
