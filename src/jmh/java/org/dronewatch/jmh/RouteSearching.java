@@ -43,6 +43,7 @@ public class RouteSearching {
     private static final int SENSORS = 13;
     private static final double CELL = 10.0;
     private static final double ZONE = 60.0;
+    private static final double RESPONSE = 20.0;
     private static final double[] HEIGHTS = {10, 20, 30, 40, 50, 60, 75, 90, 105, 120, 135, 150};
 
     /** Cells along a side. */
@@ -108,6 +109,14 @@ public class RouteSearching {
     @Benchmark
     public WeakestRoute weakestRoute() {
         return workers.call(() -> WeakestRoutes.of(problem, problem.goals())
+                .from(problem.starts())
+                .orElseThrow());
+    }
+
+    /** The same, but only detections at least 20 s before the drone arrives count. */
+    @Benchmark
+    public WeakestRoute weakestRouteInTime() {
+        return workers.call(() -> WeakestRoutes.inTime(problem, problem.goals(), RESPONSE)
                 .from(problem.starts())
                 .orElseThrow());
     }
