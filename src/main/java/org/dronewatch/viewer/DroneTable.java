@@ -3,18 +3,21 @@ package org.dronewatch.viewer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import javax.swing.table.AbstractTableModel;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.viewer.part.TitledTable;
 import org.dronewatch.viewer.run.RecordedRun;
 
 /** Each drone: where it is, how fast, and who detects it. */
-final class DroneTable extends AbstractTableModel {
+final class DroneTable extends TitledTable {
     private static final long serialVersionUID = 1L;
-    private static final String[] COLUMNS = {"drone", "east, north, up [m]", "speed [m/s]", "detected by"};
 
     private final transient List<Drone> drones = new ArrayList<>();
     private final transient List<String> detectedBy = new ArrayList<>();
+
+    DroneTable() {
+        super("drone", "east, north, up [m]", "speed [m/s]", "detected by");
+    }
 
     /** Shows a time of a run. */
     void show(RecordedRun run, List<Drone> now, double time) {
@@ -44,16 +47,6 @@ final class DroneTable extends AbstractTableModel {
     @Override
     public int getRowCount() {
         return drones.size();
-    }
-
-    @Override
-    public int getColumnCount() {
-        return COLUMNS.length;
-    }
-
-    @Override
-    public String getColumnName(int column) {
-        return COLUMNS[column];
     }
 
     @Override

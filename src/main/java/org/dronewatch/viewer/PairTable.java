@@ -4,21 +4,24 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import javax.swing.table.AbstractTableModel;
 import org.dronewatch.viewer.part.Texts;
+import org.dronewatch.viewer.part.TitledTable;
 import org.dronewatch.viewer.run.PairReading;
 import org.dronewatch.viewer.run.RecordedRun;
 
 /** Each sensor with each drone: whether it detects it, from how far, and its value against the threshold. */
-final class PairTable extends AbstractTableModel {
+final class PairTable extends TitledTable {
     private static final long serialVersionUID = 1L;
-    private static final String[] COLUMNS = {"sensor", "kind", "drone", "state", "range [m]", "value", "needs"};
 
     /** Maximum number of pairs shown. */
     private static final int MOST = 2000;
 
     private final transient List<Row> rows = new ArrayList<>();
     private transient RecordedRun run;
+
+    PairTable() {
+        super("sensor", "kind", "drone", "state", "range [m]", "value", "needs");
+    }
 
     private static final class Row {
         private final String sensor;
@@ -76,16 +79,6 @@ final class PairTable extends AbstractTableModel {
     @Override
     public int getRowCount() {
         return rows.size();
-    }
-
-    @Override
-    public int getColumnCount() {
-        return COLUMNS.length;
-    }
-
-    @Override
-    public String getColumnName(int column) {
-        return COLUMNS[column];
     }
 
     @Override

@@ -7,17 +7,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Rectangle;
-import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
-import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
@@ -124,7 +120,7 @@ class CoverageWindowTest {
         await("the switch", () -> panel.shown().orElseThrow().off().contains("microphone"));
         assertThat(onEventThread(() -> viewer.pane().playback().isPlaying())).isEqualTo(isPlaying);
         await("the picture", () -> viewer.pane().isIdle());
-        keep();
+        KeptPicture.of(viewer.window().frame(), "coverage");
 
         assertThat(skinShown()).isTrue();
         focus(viewer.pane().world());
@@ -232,14 +228,5 @@ class CoverageWindowTest {
         await("the building", () -> panel.switches().reasons().contains("hidden by a building (yard.obj)"));
         String cell = onEventThread(() -> panel.cell());
         assertThat(cell).startsWith("At 2 m above the ground: ").contains("decides");
-    }
-
-    private void keep() throws Exception {
-        Rectangle bounds = onEventThread(() -> viewer.window().frame().getBounds());
-        Path kept = Files.createDirectories(Path.of("target", "viewer"));
-        ImageIO.write(
-                new Robot().createScreenCapture(bounds),
-                "png",
-                kept.resolve("coverage.png").toFile());
     }
 }

@@ -7,19 +7,16 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.text.BadLocationException;
@@ -129,14 +126,7 @@ class GalleryWindowTest {
                 .allSatisfy(text -> assertThat(wholeHeight(text))
                         .as("all lines of: %s", text.getText())
                         .isLessThanOrEqualTo(text.getHeight()));
-        Path kept = Files.createDirectories(Path.of("target", "viewer"));
-        Thread.sleep(200);
-        ImageIO.write(
-                new Robot()
-                        .createScreenCapture(
-                                onEventThread(() -> showing().get(0).getBounds())),
-                "png",
-                kept.resolve("gallery.png").toFile());
+        KeptPicture.of(showing().get(0), "gallery");
     }
 
     @Test

@@ -4,19 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.dronewatch.viewer.EventThread.await;
 import static org.dronewatch.viewer.EventThread.onEventThread;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import javax.imageio.ImageIO;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Yard;
-import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.viewer.tape.TapeReading;
 import org.jogamp.vecmath.Point2d;
 import org.junit.jupiter.api.AfterEach;
@@ -37,17 +32,9 @@ class MeasuringWindowTest {
 
     @BeforeEach
     void open() throws Exception {
-        assumeTrue(
-                Viewer.obstacle().isEmpty(),
-                () -> "no window: " + Viewer.obstacle().orElse(""));
-        Yard yard = new Yard(directory);
-        SceneRunner runner = new SceneRunner(yard).set("run.duration", "1 s");
-        viewer = Viewer.open(yard, runner, 2, directory.resolve("viewer.properties"));
+        viewer = YardWindow.open(directory);
         world = viewer.pane().world();
         measuring = viewer.pane().measuring();
-        runner.listener(viewer.listener()).cancelWhen(viewer::isClosed).run();
-        viewer.finished(true);
-        await("the site", () -> viewer.pane().viewed().isPresent() && world.image() != null);
         onEventThread(() -> {
             viewer.pane().playback().pause();
             viewer.pane().playback().jump(0.0);
@@ -105,15 +92,7 @@ class MeasuringWindowTest {
 
     private void keep(String name) throws Exception {
         await("the picture", () -> viewer.pane().isIdle());
-        Thread.sleep(200);
-        ImageIO.write(
-                new Robot()
-                        .createScreenCapture(
-                                onEventThread(() -> viewer.window().frame().getBounds())),
-                "png",
-                Files.createDirectories(Path.of("target", "viewer"))
-                        .resolve(name + ".png")
-                        .toFile());
+        KeptPicture.of(viewer.window().frame(), name);
     }
 
     /** Two points of the lawn, whose coordinates are known to a pixel. */

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.dronewatch.viewer.EventThread.await;
 import static org.dronewatch.viewer.EventThread.onEventThread;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -43,18 +42,10 @@ class PlacingWindowTest {
 
     @BeforeEach
     void open() throws Exception {
-        assumeTrue(
-                Viewer.obstacle().isEmpty(),
-                () -> "no window: " + Viewer.obstacle().orElse(""));
-        Yard yard = new Yard(directory);
-        SceneRunner runner = new SceneRunner(yard).set("run.duration", "1 s");
-        viewer = Viewer.open(yard, runner, 2, directory.resolve("viewer.properties"));
+        viewer = YardWindow.open(directory);
         world = viewer.pane().world();
         placing = viewer.pane().placing();
         coverage = viewer.pane().coverage();
-        runner.listener(viewer.listener()).cancelWhen(viewer::isClosed).run();
-        viewer.finished(true);
-        await("the site", () -> viewer.pane().viewed().isPresent() && world.image() != null);
         onEventThread(() -> {
             viewer.pane().views().get(1).actionPerformed(null);
             return null;

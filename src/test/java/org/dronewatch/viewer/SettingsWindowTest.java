@@ -5,14 +5,11 @@ import static org.dronewatch.viewer.EventThread.await;
 import static org.dronewatch.viewer.EventThread.onEventThread;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.Robot;
 import java.awt.Toolkit;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import javax.imageio.ImageIO;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.dronewatch.render.Yard;
@@ -127,15 +124,7 @@ class SettingsWindowTest {
 
     private void keep(String name) throws Exception {
         await("the picture", () -> viewer.pane().isIdle());
-        Thread.sleep(300);
-        ImageIO.write(
-                new Robot()
-                        .createScreenCapture(
-                                onEventThread(() -> viewer.window().frame().getBounds())),
-                "png",
-                Files.createDirectories(Path.of("target", "viewer"))
-                        .resolve(name + ".png")
-                        .toFile());
+        KeptPicture.of(viewer.window().frame(), name);
     }
 
     @Test

@@ -7,12 +7,9 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Rectangle;
-import java.awt.Robot;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
-import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,7 +17,6 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JMenuBar;
@@ -81,13 +77,6 @@ class ViewerWindowTest {
         });
     }
 
-    private void keep(String name) throws Exception {
-        Rectangle bounds = onEventThread(() -> viewer.window().frame().getBounds());
-        BufferedImage image = new Robot().createScreenCapture(bounds);
-        Path kept = Files.createDirectories(Path.of("target", "viewer"));
-        ImageIO.write(image, "png", kept.resolve(name + ".png").toFile());
-    }
-
     private static List<String> ownThreads() {
         return Thread.getAllStackTraces().keySet().stream()
                 .filter(Thread::isAlive)
@@ -132,7 +121,7 @@ class ViewerWindowTest {
         click(line, (int) Math.round(onEventThread(() -> line.xOf(8.0))), 5);
         assertThat(onEventThread(() -> pane.playback().time())).isBetween(7.95, 8.05);
         await("all is drawn", pane::isIdle);
-        keep("window");
+        KeptPicture.of(viewer.window().frame(), "window");
 
         // Dragging turns the site, the wheel zooms.
         WorldPanel world = pane.world();
@@ -174,7 +163,7 @@ class ViewerWindowTest {
         });
         await("all is drawn", pane::isIdle);
         Thread.sleep(200);
-        keep("window-dark");
+        KeptPicture.of(viewer.window().frame(), "window-dark");
 
         viewer.close();
         assertThat(viewer.isClosed()).isTrue();
@@ -241,7 +230,7 @@ class ViewerWindowTest {
                 return null;
             });
             Thread.sleep(400);
-            keep("keys");
+            KeptPicture.of(viewer.window().frame(), "keys");
         } finally {
             viewer.close();
         }
@@ -314,7 +303,7 @@ class ViewerWindowTest {
             // Those of one pane: site, picture, cameras, stage, rays, and the one that opens.
             assertThat(ownThreads().stream().filter(name -> !name.contains("worker")))
                     .doesNotHaveDuplicates();
-            keep("opened");
+            KeptPicture.of(viewer.window().frame(), "opened");
         } finally {
             viewer.close();
         }

@@ -5,22 +5,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.table.AbstractTableModel;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsPath;
+import org.dronewatch.viewer.part.TitledTable;
 import org.dronewatch.viewer.run.SensorLayout;
 
 /**
  * The settings of the selected sensor with their values and limits. A value that does not fit is refused in a line
  * beside it, and changes nothing. For the event thread.
  */
-final class SettingsModel extends AbstractTableModel {
+final class SettingsModel extends TitledTable {
     static final int VALUE = 1;
     static final int LIMITS = 2;
 
     private static final long serialVersionUID = 1L;
-    private static final String[] COLUMNS = {"setting", "value", "limits"};
 
     private final transient SensorLayout layout;
     private final transient Consumer<String> messages;
@@ -36,6 +35,7 @@ final class SettingsModel extends AbstractTableModel {
      * @param messages receives a line about each edit
      */
     SettingsModel(SensorLayout layout, Consumer<String> messages) {
+        super("setting", "value", "limits");
         this.layout = layout;
         this.messages = messages;
     }
@@ -79,16 +79,6 @@ final class SettingsModel extends AbstractTableModel {
     @Override
     public int getRowCount() {
         return rows.size();
-    }
-
-    @Override
-    public int getColumnCount() {
-        return COLUMNS.length;
-    }
-
-    @Override
-    public String getColumnName(int column) {
-        return COLUMNS[column];
     }
 
     @Override
