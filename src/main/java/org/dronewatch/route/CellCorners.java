@@ -1,6 +1,5 @@
 package org.dronewatch.route;
 
-import java.util.Arrays;
 import org.dronewatch.analysis.field.DetectionField;
 
 /**
@@ -98,10 +97,5 @@ final class CellCorners {
             nearest = weights[corner] > weights[nearest] ? corner : nearest;
         }
         return weights[nearest] > 0.0 ? nearest : -1;
-    }
-
-    @Override
-    public String toString() {
-        return "column " + west + ", row " + north + ", height " + bottom + ": " + Arrays.toString(weights);
     }
 }

@@ -1,5 +1,7 @@
 package org.dronewatch.route;
 
+import org.dronewatch.analysis.cell.CellCode;
+
 /**
  * The rate at which one sensor detects a drone with one motion at positions near the middle of one cell. If the sensor
  * rejects low radial speeds, the rate follows from the fraction of the drone's signal that passes in flight: it lies
@@ -96,25 +98,24 @@ final class CellRate {
         if (low == high) {
             return rates[low];
         }
-        double from = decades(passes[below]);
-        double to = decades(passes[above]);
-        double fraction = to > from ? (decades(passing) - from) / (to - from) : 0.0;
-        int between = (int) Math.rint(low + fraction * (high - low));
+        int between = (int) Math.rint(low + fraction(below, above, passing) * (high - low));
         // Probabilities of 0 and 1 are exact, so that none in between is rounded to them.
         boolean isExact = between == low || between == high;
-        return rates[isExact ? between : Math.max(1, Math.min(SensorRates.STEPS - 1, between))];
+        return rates[isExact ? between : Math.max(1, Math.min(CellCode.STEPS - 1, between))];
+    }
+
+    /** The place of the flight between two courses, 0 to 1, by the level of the signal that passes. */
+    private double fraction(int below, int above, double passing) {
+        double from = decades(passes[below]);
+        double to = decades(passes[above]);
+        return to > from ? (decades(passing) - from) / (to - from) : 0.0;
     }
 
     /** The course on which the sensor sees most nearly what it sees in flight. */
     int course(double passing) {
         int below = below(passing);
         int above = above(passing);
-        if (below < 0 || above < 0) {
-            return Math.max(below, above);
-        }
-        double from = decades(passes[below]);
-        double to = decades(passes[above]);
-        return to > from && decades(passing) - from >= 0.5 * (to - from) ? above : below;
+        return below < 0 || above >= 0 && fraction(below, above, passing) >= 0.5 ? above : below;
     }
 
     private static double decades(double passing) {

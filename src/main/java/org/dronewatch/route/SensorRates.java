@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
@@ -28,9 +29,6 @@ import org.dronewatch.sensor.SensorSettings;
  * does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
  */
 final class SensorRates {
-    /** The steps of a probability in a field. */
-    static final int STEPS = 250;
-
     /**
      * The number of independent looks per mean distance between traced positions. Near the threshold, these are closer
      * together. Compared with flights past microphones that look 2 and 10 times a second.
@@ -55,10 +53,10 @@ final class SensorRates {
     private final LegMotion[] motions;
 
     /** By step of the probability, 1/s. */
-    private final double[] rates = new double[STEPS + 1];
+    private final double[] rates = new double[CellCode.STEPS + 1];
 
     /** By step, the rate at the least probability that is rounded to it, 1/s. */
-    private final double[] leastRates = new double[STEPS + 1];
+    private final double[] leastRates = new double[CellCode.STEPS + 1];
 
     /**
      * The rates of a sensor.
@@ -91,11 +89,11 @@ final class SensorRates {
         this.response =
                 its.as(CrossingBlind.class).map(blind -> new RadialResponse(blind, its.position(), motions, crossing));
         double looks = Math.min(its.rate(), INDEPENDENT * flown.mode().speed() / unknownOver());
-        for (int step = 1; step <= STEPS; step++) {
-            rates[step] = rate(its, (double) step / STEPS, step == STEPS ? its.rate() : looks);
+        for (int step = 1; step <= CellCode.STEPS; step++) {
+            rates[step] = rate(its, (double) step / CellCode.STEPS, step == CellCode.STEPS ? its.rate() : looks);
             // The lowest step stands for any probability above 0, the highest for 1 alone.
-            double least = step == 1 ? 0.0 : (step - (step == STEPS ? 0.0 : 0.5)) / STEPS;
-            leastRates[step] = rate(its, least, step == STEPS ? its.rate() : looks);
+            double least = step == 1 ? 0.0 : (step - (step == CellCode.STEPS ? 0.0 : 0.5)) / CellCode.STEPS;
+            leastRates[step] = rate(its, least, step == CellCode.STEPS ? its.rate() : looks);
         }
     }
 
@@ -186,7 +184,7 @@ final class SensorRates {
         if (response.isEmpty()) {
             return leastRates[steps(level, column, row, heading)];
         }
-        int least = STEPS;
+        int least = CellCode.STEPS;
         for (int course = 0; course < courses.length; course++) {
             least = Math.min(least, steps(level, column, row, course));
         }

@@ -1,7 +1,6 @@
 package org.dronewatch.route;
 
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Map;
 import java.util.TreeMap;
@@ -37,22 +36,21 @@ final class SiteNodes {
             throw new IllegalArgumentException("the lowest height, "
                     + cells.heights().get(0) + " m, is above the drone's ceiling of " + ceiling + " m");
         }
+        FieldCells middles = new FieldCells(field);
         double[] ground = new double[side * side];
-        Arrays.setAll(ground, node -> field.ground(node % side, side - 1 - node / side));
         this.known = new BitSet();
-        for (int column = 0; column < ground.length; column++) {
-            known.set(column, !Double.isNaN(ground[column]));
+        for (int node = 0; node < ground.length; node++) {
+            int column = node % side;
+            int row = side - 1 - node / side;
+            known.set(node, !Double.isNaN(field.ground(column, row)));
+            ground[node] = middles.ground(column, row);
         }
-        double mean = Arrays.stream(ground).filter(Double::isFinite).average().orElse(0.0);
-        double[] filled = Arrays.stream(ground)
-                .map(height -> Double.isNaN(height) ? mean : height)
-                .toArray();
         BitSet blocked = new BitSet();
         for (int node = 0; node < heights.length * ground.length; node++) {
             int below = node % ground.length;
             blocked.set(node, !field.isOpen(node / ground.length, below % side, side - 1 - below / side));
         }
-        this.grid = new RouteGrid(cells.x(0), cells.y(side - 1), cells.cell(), side, side, heights, filled, blocked);
+        this.grid = new RouteGrid(cells.x(0), cells.y(side - 1), cells.cell(), side, side, heights, ground, blocked);
     }
 
     /** All of them. */

@@ -38,7 +38,7 @@ record FlownSite(
     /** At both cameras. */
     private static final Map<String, String> OBSERVERS = observers(List.of("garden", "west"));
 
-    /** Indoors: the observer alone, since echoes hide every difference between places from the microphone. */
+    /** At the camera, without the microphone. */
     private static final Map<String, String> OBSERVER_ALONE = new LinkedHashMap<>(OBSERVER);
 
     static {

@@ -92,8 +92,11 @@ final class LegRates {
         /** What each contributes; these numbers add up to 1. */
         private final float[] weights;
 
-        /** The nodes that the leg passes, with those at its ends. */
+        /** The nodes that the leg passes, and that at which it begins. */
         private final int[] passed;
+
+        /** The node at which it ends. */
+        private final int end;
 
         /**
          * The stencil of a leg.
@@ -126,10 +129,8 @@ final class LegRates {
             for (int i = 0; i < nodes.length; i++) {
                 weights[i] = (float) (double) sums.get(nodes[i]);
             }
-            int pieces = Math.max(Math.abs(east), Math.abs(north));
-            this.passed = new int[pieces + 1];
-            Arrays.setAll(
-                    passed, i -> RouteEdges.nearest(north, i, pieces) * columns + RouteEdges.nearest(east, i, pieces));
+            this.passed = RouteEdges.passed(east, north, columns);
+            this.end = north * columns + east;
         }
 
         private static void add(Map<Integer, Double> sums, double x, double y, double weight, int columns) {
@@ -176,7 +177,7 @@ final class LegRates {
                     return false;
                 }
             }
-            return true;
+            return values[from + end] < Float.POSITIVE_INFINITY;
         }
     }
 }

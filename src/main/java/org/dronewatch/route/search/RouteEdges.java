@@ -53,11 +53,8 @@ final class RouteEdges {
         }
         int[][] nodes = new int[most + 1][];
         for (int repeats = 1; repeats <= most; repeats++) {
-            int east = repeats * directions.east(direction);
-            int north = repeats * directions.north(direction);
-            int pieces = Math.max(Math.abs(east), Math.abs(north));
-            nodes[repeats] = new int[pieces];
-            Arrays.setAll(nodes[repeats], i -> nearest(north, i, pieces) * grid.columns() + nearest(east, i, pieces));
+            nodes[repeats] =
+                    passed(repeats * directions.east(direction), repeats * directions.north(direction), grid.columns());
         }
         return nodes;
     }
@@ -136,8 +133,21 @@ final class RouteEdges {
         return grid.isOpen(to);
     }
 
+    /**
+     * The nodes that a level leg passes, and that at which it begins, but not its end, all relative to its beginning.
+     *
+     * @param east nodes that it leads to the east
+     * @param north nodes that it leads to the north
+     * @param columns columns of the grid
+     */
+    static int[] passed(int east, int north, int columns) {
+        int[] nodes = new int[Math.max(Math.abs(east), Math.abs(north))];
+        Arrays.setAll(nodes, i -> nearest(north, i, nodes.length) * columns + nearest(east, i, nodes.length));
+        return nodes;
+    }
+
     /** A fraction of a number of nodes, rounded; halves upwards. */
-    static int nearest(int nodes, int part, int of) {
+    private static int nearest(int nodes, int part, int of) {
         return Math.floorDiv(2 * nodes * part + of, 2 * of);
     }
 }

@@ -27,26 +27,17 @@ final class RouteSmoothing {
 
     private static final double OBLIQUE = Math.sqrt(0.5);
 
-    /** The ways in which a point is moved: east and west, north and south, obliquely, and then up and down. */
+    /** The axes along which a point is moved: east, north, obliquely, and up. */
     private static final double[][] IN_SPACE = {
-        {1.0, 0.0, 0.0},
-        {-1.0, 0.0, 0.0},
-        {0.0, 1.0, 0.0},
-        {0.0, -1.0, 0.0},
-        {OBLIQUE, OBLIQUE, 0.0},
-        {-OBLIQUE, -OBLIQUE, 0.0},
-        {OBLIQUE, -OBLIQUE, 0.0},
-        {-OBLIQUE, OBLIQUE, 0.0},
-        {0.0, 0.0, 1.0},
-        {0.0, 0.0, -1.0}
+        {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {OBLIQUE, OBLIQUE, 0.0}, {OBLIQUE, -OBLIQUE, 0.0}, {0.0, 0.0, 1.0}
     };
 
-    private static final double[][] IN_PLAN = Arrays.copyOf(IN_SPACE, 8);
+    private static final double[][] IN_PLAN = Arrays.copyOf(IN_SPACE, 4);
 
     private final RouteExposure exposure;
     private final LegLimits limits;
     private final double spacing;
-    private final double[][] ways;
+    private final double[][] axes;
     private final Optional<Position> before;
     private final List<double[]> points = new ArrayList<>();
 
@@ -58,7 +49,7 @@ final class RouteSmoothing {
         this.exposure = new RouteExposure(problem);
         this.limits = new LegLimits(problem);
         this.spacing = problem.grid().spacing();
-        this.ways = problem.grid().levels() > 1 ? IN_SPACE : IN_PLAN;
+        this.axes = problem.grid().levels() > 1 ? IN_SPACE : IN_PLAN;
         path.points().forEach(point -> points.add(new double[] {point.x(), point.y(), point.z()}));
         modes.addAll(path.modes());
     }
@@ -212,19 +203,21 @@ final class RouteSmoothing {
                 + cost(points.get(i), points.get(i + 1), modes.get(i));
     }
 
-    /** Moves a point by a step each way where that gains something; gives the exposure of its two legs. */
+    /** Moves a point by a step along each axis where that gains something; gives the exposure of its two legs. */
     private double move(int i, double before, double step) {
         double best = before;
         double[] at = points.get(i);
-        for (double[] way : ways) {
-            double[] kept = at.clone();
-            for (int axis = 0; axis < at.length; axis++) {
-                at[axis] += step * way[axis];
-            }
-            double moved = local(i);
-            if (moved < best && isAllowed(i)) {
-                best = moved;
-            } else {
+        for (double[] axis : axes) {
+            for (int sign = -1; sign <= 1; sign += 2) {
+                double[] kept = at.clone();
+                for (int part = 0; part < at.length; part++) {
+                    at[part] += sign * step * axis[part];
+                }
+                double moved = local(i);
+                if (moved < best && isAllowed(i)) {
+                    best = moved;
+                    break;
+                }
                 System.arraycopy(kept, 0, at, 0, at.length);
             }
         }

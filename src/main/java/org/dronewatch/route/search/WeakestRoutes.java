@@ -180,7 +180,7 @@ public final class WeakestRoutes {
                 .limit(SMOOTHED)
                 .toList();
         double lower = bound.from(starts);
-        WeakestRoute[] smoothed = new WeakestRoute[candidates.size()];
+        Smoothed[] smoothed = new Smoothed[candidates.size()];
         int done = 0;
         boolean isLeast = false;
         while (done < smoothed.length && !isLeast) {
@@ -190,22 +190,34 @@ public final class WeakestRoutes {
             Workers.forEach(done - first, i -> smoothed[first + i] = smoothed(candidates.get(first + i), lower));
             for (int i = first; i < done; i++) {
                 smoothed[i] = isLeast ? null : smoothed[i];
-                isLeast |= smoothed[i] != null && smoothed[i].exposure() <= lower;
+                isLeast |= smoothed[i] != null && smoothed[i].route().exposure() <= lower;
             }
         }
         return Arrays.stream(smoothed)
                 .filter(Objects::nonNull)
-                .min(Comparator.comparingDouble(route -> search.along(finish.counted(route.path()))));
+                .min(Comparator.comparingDouble(Smoothed::priced))
+                .map(Smoothed::route);
     }
 
+    /**
+     * A route that has been smoothed.
+     *
+     * @param route it and its exposure
+     * @param priced its exposure with the price of its time
+     */
+    private record Smoothed(WeakestRoute route, double priced) {}
+
     /** The route through some states, smoothed, and then to its end. */
-    private WeakestRoute smoothed(List<Integer> states, double lower) {
+    private Smoothed smoothed(List<Integer> states, double lower) {
         RoutePath smooth = RouteSmoothing.of(priced, tree.path(states));
         RoutePath whole =
                 finish.of(onwards.map(times -> smooth.then(times.path(times.from(states.get(states.size() - 1)))))
                         .orElse(smooth));
         RouteExposure exposure = new RouteExposure(problem);
-        return new WeakestRoute(whole, exposure.along(finish.counted(whole)), lower, exposure.time(whole));
+        RoutePath counted = finish.counted(whole);
+        return new Smoothed(
+                new WeakestRoute(whole, exposure.along(counted), lower, exposure.time(whole)),
+                new RouteExposure(priced).along(counted));
     }
 
     /** The part of a route on which a detection counts. */
