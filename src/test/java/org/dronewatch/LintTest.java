@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -18,13 +19,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What neither the compiler nor the formatter keeps: no warnings, and comments as narrow as the code.
+ * What neither the compiler nor the formatter checks: no warnings, comments as narrow as the code, merges resolved.
  */
 class LintTest {
     /** The formatter keeps code to it, but leaves comments as they are. */
     private static final int MOST_COLUMNS = 120;
 
     private static final Pattern COMMENT = Pattern.compile("\\s*(/?\\*|//)");
+
+    /** As git writes them; seven equals signs alone may underline a heading. */
+    private static final Pattern MERGE_MARK = Pattern.compile("(<{7}|>{7}|\\|{7})( |$)");
+
+    private static final Pattern PICTURE_OR_ARCHIVE = Pattern.compile(".*\\.(png|gif|gz)");
 
     private static final Path SOURCES = Path.of("src", "main", "java");
 
@@ -107,5 +113,44 @@ class LintTest {
         assertThat(wide)
                 .as("comment lines of more than %d columns", MOST_COLUMNS)
                 .isEmpty();
+    }
+
+    /** Pages, scripts and scenes would otherwise keep them unnoticed, since nothing compiles them. */
+    @Test
+    void noFileHoldsTheMarksOfAnUnresolvedMerge() throws IOException {
+        List<String> marked = new ArrayList<>();
+        int read = 0;
+        for (Path file : texts()) {
+            read++;
+            List<String> lines = Files.readAllLines(file, StandardCharsets.ISO_8859_1);
+            for (int i = 0; i < lines.size(); i++) {
+                if (MERGE_MARK.matcher(lines.get(i)).lookingAt()) {
+                    marked.add(file + ":" + (i + 1));
+                }
+            }
+        }
+
+        assertThat(read).isGreaterThan(1_000);
+        assertThat(marked).isEmpty();
+    }
+
+    /** All text files of the project, without hidden and built ones. */
+    private static List<Path> texts() throws IOException {
+        List<Path> tops;
+        try (Stream<Path> entries = Files.list(Path.of(""))) {
+            tops = entries.filter(top -> !top.toString().startsWith("."))
+                    .filter(top -> !top.equals(Path.of("target")))
+                    .toList();
+        }
+        List<Path> texts = new ArrayList<>();
+        for (Path top : tops) {
+            try (Stream<Path> files = Files.walk(top)) {
+                files.filter(Files::isRegularFile)
+                        .filter(file ->
+                                !PICTURE_OR_ARCHIVE.matcher(file.toString()).matches())
+                        .forEach(texts::add);
+            }
+        }
+        return texts;
     }
 }
