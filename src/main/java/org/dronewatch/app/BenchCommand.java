@@ -37,7 +37,6 @@ import tools.jackson.databind.node.ObjectNode;
                 + " set of rays, or, with --json, a single object.",
         footer = {"", "Example:", "  dronewatch bench models/hill.obj --passes 9"})
 final class BenchCommand implements Callable<Integer> {
-    private static final JsonMapper MAPPER = JsonMapper.builder().build();
 
     @Parameters(index = "0", paramLabel = "MODEL.obj", description = "Model, in its own coordinates.")
     private String model;
@@ -112,7 +111,7 @@ final class BenchCommand implements Callable<Integer> {
             ObjectNode line = measure(bench, set);
             lines.add(line);
             if (!json.isAsked()) {
-                spec.commandLine().getOut().println(MAPPER.writeValueAsString(line));
+                spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(line));
             }
         }
         json.print(() -> toJson(lines), out -> {});
@@ -169,7 +168,7 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private ObjectNode toJson(List<ObjectNode> lines) {
-        ObjectNode root = MAPPER.createObjectNode();
+        ObjectNode root = JsonMapper.shared().createObjectNode();
         root.put("model", model);
         root.putArray("sets").addAll(lines);
         return root;
@@ -184,7 +183,7 @@ final class BenchCommand implements Callable<Integer> {
                 }
             });
         }
-        ObjectNode line = MAPPER.createObjectNode();
+        ObjectNode line = JsonMapper.shared().createObjectNode();
         line.put("set", measured.set());
         line.put("rays", measured.rays());
         line.put("hits", measured.hits());

@@ -5,6 +5,7 @@ import java.nio.charset.Charset;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
 import javax.imageio.ImageIO;
 import org.dronewatch.app.console.ExitCode;
 import org.dronewatch.app.console.Interruption;
@@ -143,7 +144,8 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     }
 
     private static int execute(PrintWriter out, PrintWriter err, CampaignCluster cluster, String... arguments) {
-        Logging.silence();
+        // Finding the library that keeps the log takes as long as finding the command.
+        CompletableFuture<Void> silent = CompletableFuture.runAsync(Logging::silence);
         // The library's files for unfinished images would need room in the temporary directory, and a hook at
         // shutdown.
         ImageIO.setUseCache(false);
@@ -159,7 +161,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
             return ExitCode.BAD_INPUT;
         });
         commands.setExecutionExceptionHandler((problem, command, given) -> main.failed(problem, plainErr));
-        commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed));
+        commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed, silent));
         try {
             return commands.execute(arguments);
         } catch (Error e) {
@@ -168,11 +170,12 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     }
 
     /** Help may be in colour; all else is plain. */
-    private int executeParsed(CommandLine commands, ParseResult parsed) {
+    private int executeParsed(CommandLine commands, ParseResult parsed, CompletableFuture<Void> silent) {
         Integer help = CommandLine.executeHelpRequest(parsed);
         if (help != null) {
             return help;
         }
+        silent.join();
         commands.setOut(new PlainPrinter(commands.getOut()));
         try {
             // Errors in the class path are reported before anything is done.

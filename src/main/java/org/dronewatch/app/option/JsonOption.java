@@ -12,10 +12,6 @@ import tools.jackson.databind.node.ObjectNode;
 
 /** The option of commands whose tables programs may want to read. */
 public final class JsonOption {
-    /** Only ASCII: what a program reads must not depend on the console's character set. */
-    private static final JsonMapper MAPPER =
-            JsonMapper.builder().enable(JsonWriteFeature.ESCAPE_NON_ASCII).build();
-
     @Option(
             names = "--json",
             description = "Prints a single JSON object on standard output instead of tables; everything else goes to"
@@ -39,11 +35,22 @@ public final class JsonOption {
     public void print(Supplier<ObjectNode> object, Consumer<PrintWriter> tables) {
         PrintWriter out = command.commandLine().getOut();
         if (json) {
-            out.println(MAPPER.writerWithDefaultPrettyPrinter()
-                    .writeValueAsString(object.get())
-                    .replace("\r\n", "\n"));
+            out.println(json(object.get()));
         } else {
             tables.accept(out);
         }
+    }
+
+    /**
+     * As text in ASCII alone: what a program reads must not depend on the console's character set. The mapper is made
+     * here, since it takes a fifth of the time in which other commands start.
+     */
+    private static String json(ObjectNode object) {
+        return JsonMapper.builder()
+                .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
+                .build()
+                .writerWithDefaultPrettyPrinter()
+                .writeValueAsString(object)
+                .replace("\r\n", "\n");
     }
 }
