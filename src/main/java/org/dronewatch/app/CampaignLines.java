@@ -72,8 +72,7 @@ final class CampaignLines {
      * @return the exit code: that of a failure if no case could be run
      */
     static int warn(CampaignSummary summary, PrintWriter err) {
-        CampaignWords.failures(summary).forEach(line -> err.println("warning: " + line));
-        CampaignWords.cutShort(summary).ifPresent(line -> err.println("warning: " + line));
+        CampaignWords.doubts(summary).forEach(line -> err.println("warning: " + line));
         if (summary.isAllFailed()) {
             err.println("no case could be run: " + CampaignWords.mostFrequentFailure(summary));
             return ExitCode.FAILED;

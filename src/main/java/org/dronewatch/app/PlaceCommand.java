@@ -1,9 +1,11 @@
 package org.dronewatch.app;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.app.console.ProgressOptions;
@@ -17,9 +19,11 @@ import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.app.search.PlaceFinder;
 import org.dronewatch.app.search.PlaceTask;
+import org.dronewatch.campaign.CaseExecution;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.FrontSearch;
+import org.dronewatch.report.placement.AttackedPlaceResults;
 import org.dronewatch.report.placement.PlaceDirectory;
 import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.provenance.Provenance;
@@ -47,7 +51,8 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  dronewatch place scenes/palace.place.yaml",
-            "  dronewatch place scenes/palace.place.yaml --budget 100000 --out layout"
+            "  dronewatch place scenes/palace.place.yaml --budget 100000 --out layout",
+            "  dronewatch place scenes/palace.place.yaml --campaign scenes/two-radars.campaign.yaml --runs 200"
         })
 final class PlaceCommand implements Callable<Integer> {
     private static final double DEFAULT_GAP = 0.001;
@@ -82,6 +87,9 @@ final class PlaceCommand implements Callable<Integer> {
             description = "Greatest number of budgets for which the best layout is sought, the full one included, 1 to"
                     + " 12; 12 by default.")
     private int budgets = FrontSearch.MOST;
+
+    @Mixin
+    private PlaceAttacks attacks = new PlaceAttacks();
 
     @Mixin
     private SeedOption seed = new SeedOption();
@@ -127,18 +135,45 @@ final class PlaceCommand implements Callable<Integer> {
         PlacePlan plan = budget == null ? fine : fine.withBudget(budget);
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
-                PlaceResults results = results(given, plan, limits, shown);
+                attacks.check(plan, seed.number());
+                PlaceResults found = results(given, plan, limits, shown);
+                PlaceResults results = main.interruption().happened()
+                        ? found
+                        : attacks.flown(
+                                found,
+                                seed.number(),
+                                overrides,
+                                new CaseRuns(main.interruption(), shown, CaseExecution.HERE));
                 main.interruption().letFinish();
                 if (target != null) {
                     target.write(results, provenance(given, plan), threads.number(), shown.notes());
                 }
-                json.print(results::toJson, printed -> results.lines().forEach(printed::println));
-                if (!results.complete()) {
-                    spec.commandLine().getErr().println("interrupted: this is the best layout so far");
-                }
-                return 0;
+                return printed(results);
             });
         }
+    }
+
+    /** Prints the results; returns the exit code: that of a failure if no attack could be flown. */
+    private int printed(PlaceResults results) {
+        PrintWriter err = spec.commandLine().getErr();
+        Optional<AttackedPlaceResults> attacked =
+                results instanceof AttackedPlaceResults its ? Optional.of(its) : Optional.empty();
+        json.print(results::toJson, target -> {
+            results.lines().forEach(target::println);
+            attacked.ifPresent(its -> {
+                target.println();
+                CampaignLines.print(its.plan(), its.result(), target);
+                target.println(its.sentence());
+            });
+        });
+        if (!results.complete()) {
+            err.println(
+                    attacked.isPresent()
+                            ? "interrupted: these are the results of the attacks that were complete"
+                            : "interrupted: this is the best layout so far");
+        }
+        return attacked.map(its -> CampaignLines.warn(its.result().summary(), err))
+                .orElse(0);
     }
 
     private PlaceResults results(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
@@ -175,6 +210,7 @@ final class PlaceCommand implements Callable<Integer> {
         InputFiles inputs = plan.runner().inputs();
         List<Path> files = new ArrayList<>(List.of(given));
         plan.conditionsFile().ifPresent(files::add);
+        files.addAll(attacks.files());
         return new Provenance(
                 started,
                 spec.root().commandLine().getParseResult().originalArgs(),

@@ -52,7 +52,9 @@ final class Replay {
             "--pointing",
             "--proof",
             "--budget",
+            "--budgets",
             "--gap",
+            "--campaign",
             SHARD);
 
     private final Path file;

@@ -1,5 +1,6 @@
 package org.dronewatch.app.option;
 
+import java.util.Optional;
 import org.dronewatch.scene.SceneRunner;
 import picocli.CommandLine.Option;
 
@@ -7,6 +8,11 @@ import picocli.CommandLine.Option;
 public final class SeedOption {
     @Option(names = "--seed", paramLabel = "N", description = "Seed of all random numbers.")
     private Long seed;
+
+    /** The seed; empty if none was given. */
+    public Optional<Long> number() {
+        return Optional.ofNullable(seed);
+    }
 
     /** Sets the seed of a runner if one was given. */
     public void apply(SceneRunner runner) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.campaign.CampaignPlan;
@@ -22,8 +21,6 @@ import org.dronewatch.setting.Counted;
 /** A campaign for decision-makers: which variant is better, how certain that is, from where, and the worst cases. */
 final class CampaignReport {
     static final String NAME = "report.html";
-
-    private static final int MOST_NAMED = 4;
 
     private final CampaignPlan plan;
     private final CampaignResult result;
@@ -92,7 +89,7 @@ final class CampaignReport {
         CampaignSummary summary = result.summary();
         List<String> sentences = new ArrayList<>();
         List<String> ranked = pairs.ranked();
-        sentences.add(shares(ranked));
+        sentences.add(pairs.shares());
         pairs.verdict().ifPresent(sentences::add);
         ranked.stream().findFirst().flatMap(this::worstInWords).ifPresent(sentences::add);
         int failed = summary.variants().values().stream()
@@ -107,28 +104,6 @@ final class CampaignReport {
         }
         CampaignWords.cutShort(summary).ifPresent(sentences::add);
         return String.join(" ", sentences);
-    }
-
-    private String shares(List<String> ranked) {
-        Map<String, VariantSummary> variants = result.summary().variants();
-        if (ranked.isEmpty()) {
-            return "No case could be run.";
-        }
-        int cases = variants.get(ranked.get(0)).cases();
-        boolean isAlone = variants.size() == 1;
-        String named = ranked.stream()
-                .limit(MOST_NAMED)
-                .map(name -> ShareWords.withInterval(
-                                variants.get(name).proportion(headline).orElseThrow())
-                        + (isAlone ? "" : " with " + name))
-                .collect(Collectors.joining(", in "));
-        return "In " + Counted.of(cases, "attack") + ", " + ShareWords.clause(headline) + " in " + named
-                + (ranked.size() > MOST_NAMED
-                        ? ", and less often with the other" + (ranked.size() == MOST_NAMED + 1 ? "" : "s")
-                        : "")
-                + (ranked.size() == 1
-                        ? ". The 95 % confidence interval of the probability is in brackets."
-                        : ". The 95 % confidence intervals of the probabilities are in brackets.");
     }
 
     private Optional<String> worstInWords(String variant) {

@@ -150,6 +150,13 @@ public final class CampaignWords {
                         + " run.duration.");
     }
 
+    /** What casts doubt on the results, in lines: cases that failed, and runs that end too early. */
+    public static List<String> doubts(CampaignSummary summary) {
+        List<String> doubts = new ArrayList<>(failures(summary));
+        cutShort(summary).ifPresent(doubts::add);
+        return doubts;
+    }
+
     private static String text(OptionalDouble value) {
         return value.isPresent() ? String.format(Locale.ROOT, "%.1f", value.getAsDouble()) : "-";
     }

@@ -4,19 +4,23 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.campaign.outcome.CampaignSummary;
 import org.dronewatch.campaign.outcome.Outcome;
 import org.dronewatch.campaign.outcome.PairedDifference;
 import org.dronewatch.campaign.outcome.VariantComparison;
+import org.dronewatch.campaign.outcome.VariantSummary;
 import org.dronewatch.report.html.Html;
+import org.dronewatch.setting.Counted;
 import org.dronewatch.statistics.Proportion;
 
 /** Which of the variants is better, whether that is more than chance, and which cases decide. */
 final class PairWords {
     private static final double SIGNIFICANT = 0.05;
     private static final int MOST_PAIRS = 20;
+    private static final int MOST_NAMED = 4;
 
     private final CampaignSummary summary;
     private final Outcome headline;
@@ -41,6 +45,30 @@ final class PairWords {
 
     private Optional<Proportion> proportion(String variant) {
         return summary.variants().get(variant).proportion(headline);
+    }
+
+    /** How often the best of them succeed, in sentences. */
+    String shares() {
+        List<String> ranked = ranked();
+        Map<String, VariantSummary> variants = summary.variants();
+        if (ranked.isEmpty()) {
+            return "No case could be run.";
+        }
+        int cases = variants.get(ranked.get(0)).cases();
+        boolean isAlone = variants.size() == 1;
+        String named = ranked.stream()
+                .limit(MOST_NAMED)
+                .map(name -> ShareWords.withInterval(
+                                variants.get(name).proportion(headline).orElseThrow())
+                        + (isAlone ? "" : " with " + name))
+                .collect(Collectors.joining(", in "));
+        return "In " + Counted.of(cases, "attack") + ", " + ShareWords.clause(headline) + " in " + named
+                + (ranked.size() > MOST_NAMED
+                        ? ", and less often with the other" + (ranked.size() == MOST_NAMED + 1 ? "" : "s")
+                        : "")
+                + (ranked.size() == 1
+                        ? ". The 95 % confidence interval of the probability is in brackets."
+                        : ". The 95 % confidence intervals of the probabilities are in brackets.");
     }
 
     /** Whether the best variant is better than the next; empty where there are no two. */

@@ -75,7 +75,7 @@ final class PlaceReport {
         Page page = new Page(target, scene + ": placement report", scene + ": the best layout for the money");
         page.verdict((words.verdict() + " " + chapter.verdict()).strip());
         if (!results.complete()) {
-            page.warning("the search was interrupted: this is the best layout so far");
+            page.warning("the search was interrupted: these are the results so far");
         }
         page.section("What to buy", purchases());
         page.section("What more money buys", front() + figures(pictures, FRONT::equals));

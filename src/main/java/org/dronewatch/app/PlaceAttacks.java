@@ -1,0 +1,159 @@
+package org.dronewatch.app;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.app.option.PathWord;
+import org.dronewatch.app.option.ShellWord;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignReader;
+import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CampaignScenes;
+import org.dronewatch.campaign.CampaignSettings;
+import org.dronewatch.campaign.SummedCases;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.site.Layout;
+import org.dronewatch.report.placement.AttackedPlaceResults;
+import org.dronewatch.report.placement.PlaceResults;
+import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.scene.GivenScene;
+import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.SettingsPath;
+import picocli.CommandLine.Option;
+
+/** The options for the attacks that {@code place} flies against the layout and against the scene's own sensors. */
+final class PlaceAttacks {
+    private static final String TODAY = "today";
+    private static final String LAYOUT = "layout";
+
+    /** Stands for the layout where a scene is named; no scene has such a name. */
+    private static final String LAYOUT_SCENE = "the layout";
+
+    private static final String SENSORS = "sensors";
+
+    @Option(
+            names = "--campaign",
+            paramLabel = "FILE.yaml",
+            description = "Campaign file that states what varies (vary, table), runs and seed: the same attacks are"
+                    + " flown against the layout and against the scene's own sensors.")
+    private String file;
+
+    @Option(
+            names = "--runs",
+            paramLabel = "N",
+            description = "With --campaign: number of attacks, in place of the one in the campaign file.")
+    private Integer runs;
+
+    /** The campaign file and its table; none without a campaign. */
+    List<Path> files() {
+        List<Path> files = new ArrayList<>();
+        if (file != null) {
+            files.add(given());
+            CampaignReader.read(given()).table().map(directory()::resolve).ifPresent(files::add);
+        }
+        return files;
+    }
+
+    private Path given() {
+        return PathWord.of("--campaign", file);
+    }
+
+    private Path directory() {
+        return given().toAbsolutePath().normalize().getParent();
+    }
+
+    /**
+     * Checks the campaign against the scene as it is, before the search for a layout takes its time.
+     *
+     * @param seed in place of the one in the campaign file
+     * @throws InputException with a one-line message when anything is wrong
+     */
+    void check(PlacePlan plan, Optional<Long> seed) {
+        if (file == null) {
+            if (runs != null) {
+                throw new InputException("--runs " + runs + ": needs --campaign FILE, which states what varies");
+            }
+            return;
+        }
+        CampaignPlan alone = plan(settings(plan, seed), plan, plan.present());
+        for (String path : alone.paths()) {
+            String[] steps = path.split("[.]", 3);
+            if (steps[0].equals(SENSORS)
+                    && (steps.length == 1 || !plan.settings().keep().contains(steps[1]))) {
+                throw new InputException("--campaign " + PlainText.value(file) + ": '" + PlainText.value(path)
+                        + "' varies, but only sensors that are kept are in every layout");
+            }
+        }
+    }
+
+    private CampaignSettings settings(PlacePlan plan, Optional<Long> seed) {
+        try {
+            CampaignSettings settings =
+                    CampaignReader.read(given()).forScene(plan.settings().scene());
+            settings = seed.isEmpty() ? settings : new SettingsPath("seed").write(settings, Long.toString(seed.get()));
+            return runs == null ? settings : new SettingsPath("runs").write(settings, Integer.toString(runs));
+        } catch (InputException e) {
+            throw runs != null && e.getMessage().startsWith("runs") ? new InputException("--" + e.getMessage(), e) : e;
+        }
+    }
+
+    private CampaignPlan plan(CampaignSettings settings, PlacePlan plan, SceneSettings layout) {
+        CampaignScenes scenes = CampaignScenes.of(name -> new GivenScene(
+                        plan.scene().name(),
+                        plan.scene().directory(),
+                        name.equals(LAYOUT_SCENE) ? layout : plan.present()))
+                .withStore(plan.runner().store());
+        try {
+            // What is read was reported when the placement was read.
+            return new CampaignPlan(settings, directory(), scenes, note -> {});
+        } catch (InputException e) {
+            throw CampaignReader.placed(given(), e);
+        }
+    }
+
+    /**
+     * Flies the attacks, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
+     *
+     * @param seed in place of the one in the campaign file
+     * @param overrides of settings of the scene
+     * @return the results with those of the attacks; without them if none are asked for, or if they cannot be flown
+     */
+    PlaceResults flown(PlaceResults results, Optional<Long> seed, List<String> overrides, CaseRuns runner) {
+        PlacePlan plan = results.best().plan();
+        if (file == null || !results.complete() || results.best().chosen().isEmpty()) {
+            return results;
+        }
+        SceneSettings layout;
+        try {
+            layout = Layout.of(plan, results.best().chosen());
+        } catch (InputException e) {
+            runner.shown().notes().accept("the attacks are not flown against the layout: " + e.getMessage());
+            return results;
+        }
+        Map<String, Map<String, String>> variants = new LinkedHashMap<>();
+        variants.put(LAYOUT, Map.of(CampaignSettings.SCENE, LAYOUT_SCENE));
+        if (!plan.present().enabledSensors().isEmpty()) {
+            variants.put(TODAY, Map.of());
+        }
+        CampaignPlan attacks = plan(settings(plan, seed).withVariants(variants), plan, layout);
+        SummedCases kept = new SummedCases(attacks);
+        runner.run(new CampaignRun(attacks), kept, "attacks");
+        return new AttackedPlaceResults(results, attacks, kept.result(), again(plan, seed, overrides));
+    }
+
+    /** The comparison that gives the same figures. */
+    private String again(PlacePlan plan, Optional<Long> seed, List<String> overrides) {
+        StringBuilder words = new StringBuilder("compare layout.yaml ")
+                .append(ShellWord.of(plan.settings().scene()))
+                .append(" --vary ")
+                .append(ShellWord.of(file));
+        overrides.forEach(one -> words.append(" --set ").append(ShellWord.of(one)));
+        return words
+                + (runs == null ? "" : " --runs " + runs)
+                + seed.map(one -> " --seed " + one).orElse("");
+    }
+}

@@ -1,0 +1,81 @@
+package org.dronewatch.report.placement;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronewatch.campaign.CampaignPlan;
+import org.dronewatch.campaign.CampaignResult;
+import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.report.campaign.CampaignFile;
+import org.dronewatch.report.campaign.ComparedVariants;
+import org.dronewatch.report.html.Html;
+import org.dronewatch.run.Stage;
+import org.dronewatch.setting.Counted;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * What a search for placements found, and how often the layout and the scene's own sensors succeed against the same
+ * attacks.
+ *
+ * @param found by the search
+ * @param plan the campaign: its variants are the layouts
+ * @param result its results
+ * @param again the command that gives the same figures of the campaign
+ */
+public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, CampaignResult result, String again)
+        implements PlaceResults {
+    private static final String COMPLETE = "complete";
+
+    @Override
+    public BudgetFront<? extends PlacedLayout> front() {
+        return found.front();
+    }
+
+    @Override
+    public boolean complete() {
+        return found.complete() && result.stopping().isReached();
+    }
+
+    @Override
+    public PlaceMeasure measure() {
+        return found.measure();
+    }
+
+    /** The lines of the search; the tables of the campaign are those of the command {@code campaign}. */
+    @Override
+    public List<String> lines() {
+        return found.lines();
+    }
+
+    /** The contents of {@code place.json}: {@code campaign} has those of {@code campaign.json}. */
+    @Override
+    public ObjectNode toJson() {
+        ObjectNode root = found.toJson();
+        root.set("campaign", new CampaignFile(plan, result).toJson());
+        root.remove(COMPLETE);
+        root.put(COMPLETE, complete());
+        return root;
+    }
+
+    @Override
+    public PlaceChapter chapter(Stage stage) throws IOException {
+        PlaceChapter chapter = found.chapter(stage);
+        ComparedVariants variants = new ComparedVariants(result.summary());
+        List<PlaceChapter.Section> sections = new ArrayList<>(chapter.sections());
+        sections.add(new PlaceChapter.Section(
+                "The same attacks against the layout" + (plan.variants().size() > 1 ? " and today's sensors" : ""),
+                variants.html() + Html.plain("p", sentence())));
+        List<String> scope = new ArrayList<>(chapter.scope());
+        scope.add("The attacks are " + Counted.of(plan.size(), "run") + " of the scene with each layout, with values"
+                + " drawn at random: " + String.join(", ", plan.paths()) + ".");
+        scope.addAll(variants.doubts());
+        return new PlaceChapter(
+                (chapter.verdict() + " " + variants.verdict()).strip(), chapter.pictures(), sections, scope);
+    }
+
+    /** How to get the same figures of the campaign again. */
+    public String sentence() {
+        return "'" + again + "' gives the same figures of the attacks, and the cases that decide.";
+    }
+}
