@@ -86,10 +86,10 @@ final class CalibrateCommand implements Callable<Integer> {
     @Option(
             names = "--out",
             required = true,
-            paramLabel = "NAME.yaml",
+            paramLabel = "FILE",
             description =
-                    "File to write; a scene file in the same directory refers to it as 'use: NAME'. An existing file is"
-                            + " replaced only if 'calibrate' wrote it.")
+                    "File to write, NAME.yaml; a scene file in the same directory refers to it as 'use: NAME'. An existing"
+                            + " file is replaced only if 'calibrate' wrote it.")
     private String out;
 
     @Mixin

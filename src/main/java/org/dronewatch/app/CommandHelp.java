@@ -2,7 +2,9 @@ package org.dronewatch.app;
 
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.ListResourceBundle;
 import java.util.Map;
+import java.util.ResourceBundle;
 import java.util.stream.Collectors;
 import org.dronewatch.app.console.ExitCode;
 import picocli.CommandLine;
@@ -20,6 +22,20 @@ final class CommandHelp {
             "merge", "an expectation is not met, no case could be run, " + FAILED,
             "compare", "no case could be run, " + FAILED);
 
+    /** The texts of the options that every command has: like all others, they say what an option does. */
+    private static final ResourceBundle COMMON = new ListResourceBundle() {
+        @Override
+        protected Object[][] getContents() {
+            return new Object[][] {
+                {"mixinStandardHelpOptions.help", "Prints this help."},
+                {
+                    "mixinStandardHelpOptions.version",
+                    "Prints the version, which Java runs the program, and whether vector instructions are used."
+                }
+            };
+        }
+    };
+
     private CommandHelp() {}
 
     /** Completes the help of the program and of all its commands. */
@@ -29,6 +45,7 @@ final class CommandHelp {
     }
 
     private static void complete(CommandSpec command) {
+        command.resourceBundle(COMMON);
         // Examples are not wrapped: in two lines a command could not be copied.
         command.commandLine().getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_FOOTER, help -> Arrays.stream(
                         command.usageMessage().footer())
@@ -43,7 +60,7 @@ final class CommandHelp {
         Map<String, String> codes = new LinkedHashMap<>();
         codes.put("  0", "done");
         codes.put("  " + ExitCode.FAILED, VERDICTS.getOrDefault(command.name(), FAILED));
-        codes.put("  " + ExitCode.BAD_INPUT, "wrong usage or bad input, described in one line on standard error");
+        codes.put("  " + ExitCode.BAD_INPUT, "wrong usage or bad input: a line on standard error for each mistake");
         // 'render --view' draws a picture without a window.
         if (opensWindows && !command.name().equals("render")) {
             codes.put("  " + ExitCode.NO_DISPLAY, "there is no display for a window");

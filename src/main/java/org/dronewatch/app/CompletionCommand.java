@@ -17,9 +17,15 @@ import picocli.CommandLine.Spec;
         description = {
             "Prints a script that makes Bash and Zsh complete commands, options, their values and packaged scenes when"
                     + " you press the Tab key after 'dronewatch'.",
-            "To have it in every new shell, add this line to ~/.bashrc or ~/.zshrc: source <(dronewatch completion)"
+            "To have it in every new shell, add the first example below to ~/.bashrc or ~/.zshrc."
         },
-        footer = {"", "Example:", "  dronewatch completion > ~/.dronewatch-completion"})
+        // In the footer, lines are not wrapped: in two lines a command could not be copied.
+        footer = {
+            "",
+            "Examples:",
+            "  source <(dronewatch completion)",
+            "  dronewatch completion > ~/.dronewatch-completion"
+        })
 final class CompletionCommand implements Callable<Integer> {
     /** The words from which the value of an option is chosen. */
     private static final Pattern WORDS = Pattern.compile("_option_args=\\([^)]*\\)");

@@ -81,7 +81,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     @Option(
             names = "--no-cache",
             scope = ScopeType.INHERIT,
-            description = "Prepares the site anew, and does not store it for later commands.")
+            description = "Neither uses nor fills the cache of prepared sites and assessments.")
     private boolean withoutStore;
 
     @Spec

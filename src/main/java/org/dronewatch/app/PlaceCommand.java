@@ -44,9 +44,9 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Chooses, from the sensors that can be bought and the places where they can stand, those that cover the"
-                        + " most airspace within a budget, give the longest warning, or leave no weak route; prints the"
-                        + " layout, a bound on what any other could achieve, and the order in which to buy its"
-                        + " sensors.",
+                        + " most airspace within a budget, give the longest warning, or expose drones most on their weakest"
+                        + " route; prints the layout, a bound on what any other could achieve, and the order in which to"
+                        + " buy its sensors.",
         footer = {
             "",
             "Examples:",

@@ -53,7 +53,8 @@ import org.dronewatch.world.World;
  * @param spectrum a spectrum to use instead of one from the table: A-weighted levels of the octave bands relative to
  *     one another, as in the table; {@code soundPowerLevel} sets the loudness
  * @param directivity dependence of the radiated sound on elevation, for the energy model
- * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; omit it for none
+ * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; omit it if there are
+ *     none
  * @param emission how its sound follows from these settings and its flight: steady, or a kind from another jar
  * @param performance limits of its flight, as far as they are known; if it is omitted, limits typical of its airframe
  *     apply, and flights are not checked against them

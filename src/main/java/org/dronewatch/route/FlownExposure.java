@@ -8,8 +8,8 @@ import java.util.OptionalDouble;
 
 /**
  * How exposed a drone is on a route as it is flown: to every look that the sensors take, assessed where it is taken
- * rather than in the cells of a field. The route begins at several moments of the slowest scan, all equally likely:
- * probabilities are means over them.
+ * rather than in the cells of a field. The route begins at several equally likely moments within the period of
+ * the slowest scan: probabilities are means over them.
  *
  * @param flights for each of these moments, of which there is at least one, the looks that may detect the drone, in
  *     order of time

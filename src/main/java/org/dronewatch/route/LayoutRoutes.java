@@ -11,7 +11,7 @@ import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
 
 /**
- * The weakest routes past any layout of sensors, each of which has been assessed by itself: rates of independent
+ * The weakest routes past any layout of sensors; each sensor has been assessed by itself, since rates of independent
  * sensors add. Routes lead to the protected zone, like those of {@link SiteRoutes}. For one thread at a time.
  */
 public final class LayoutRoutes {

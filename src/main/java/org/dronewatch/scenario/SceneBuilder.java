@@ -37,7 +37,7 @@ public final class SceneBuilder {
     private RunSettings run = RunSettings.DEFAULT;
     private Optional<SweepSettings> sweep = Optional.empty();
 
-    /** Takes over a whole description; all else is ignored then. */
+    /** Uses a complete description; anything else is then ignored. */
     public void setAll(SceneSettings settings) {
         whole = settings;
     }
@@ -114,7 +114,7 @@ public final class SceneBuilder {
         disabled.add(id);
     }
 
-    /** Sets the duration and what else belongs to the run. */
+    /** Sets the settings of the run, such as its duration. */
     public void setRun(RunSettings settings) {
         run = settings;
     }

@@ -8,7 +8,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
 /**
- * A scene under a condition.
+ * A scene with the settings that a condition, such as rain or night, changes.
  *
  * @param name of the condition
  * @param settings settings of the scene with the changes of the condition

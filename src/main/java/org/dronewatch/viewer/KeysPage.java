@@ -25,7 +25,7 @@ final class KeysPage {
         {"Click", "selects a sensor or drone"},
         {"Drag the selected sensor", "moves it over ground and roofs"},
         {"Double-click", "centres on a point and zooms in"},
-        {"Click while measuring", "puts an end of the tape at a point, a sensor or a drone"},
+        {"Click while measuring", "sets one end of the measured line at a point, a sensor or a drone"},
         {"Click on a camera", "enlarges it; another click shows all cameras"},
         {"Click or drag on the timeline", "jumps to a time"},
     };

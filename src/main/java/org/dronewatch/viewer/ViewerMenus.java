@@ -147,7 +147,7 @@ final class ViewerMenus {
                 pane.measuring()::toggle));
         menu.add(item(
                 "Measure from or to selection",
-                "Puts an end of the tape at the selected sensor or drone",
+                "Sets one end of the measured line at the selected sensor or drone",
                 KeyStroke.getKeyStroke(KeyEvent.VK_M, InputEvent.SHIFT_DOWN_MASK),
                 () -> pane.measuring().put(pane.selected())));
         menu.addSeparator();

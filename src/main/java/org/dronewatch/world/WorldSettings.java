@@ -25,8 +25,8 @@ import org.dronewatch.terrain.TerrainSettings;
  *
  * @param models the meshes, merged into one with the terrain and the buildings; at least one, unless there is terrain
  *     or there are buildings
- * @param terrain the ground of a real place, from elevation files; omit it for none. It needs the origin
- * @param buildings the buildings of a real place, from a map; omit it for none. They need the origin
+ * @param terrain the ground of a real place, from elevation files; omit it if there is none. It needs the origin
+ * @param buildings the buildings of a real place, from a map; omit it if there are none. They need the origin
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
  * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
  * @param noiseSources sources of noise on the site in addition to the background, by name

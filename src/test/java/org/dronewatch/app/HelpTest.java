@@ -52,6 +52,42 @@ class HelpTest {
         }
     }
 
+    /** Lines of the usage are broken between arguments, never inside one such as {@code --centre=EAST,NORTH}. */
+    @ParameterizedTest
+    @MethodSource("commands")
+    void noArgumentOfAUsageIsBroken(String command) {
+        CommandLine wide = new CommandLine(new Main()).getSubcommands().get(command);
+        wide.getCommandSpec().usageMessage().width(10_000);
+
+        assertThat(usage(Program.run(command, "--help").out())).isEqualTo(usage(wide.getUsageMessage()));
+    }
+
+    /** The words from "Usage:" to the line before the description. */
+    private static List<String> usage(String help) {
+        List<String> lines = help.lines().toList();
+        long indented = lines.stream()
+                .skip(1)
+                .takeWhile(line -> line.startsWith("     "))
+                .count();
+        return List.of(
+                String.join(" ", lines.subList(0, 1 + (int) indented)).trim().split("\\s+"));
+    }
+
+    /** In two lines, the command could not be copied: a shell refuses {@code <} and {@code (} apart. */
+    @Test
+    void theLineForStartupFilesIsWhole() {
+        assertThat(Program.run("completion", "--help").out().lines()).contains("  source <(dronewatch completion)");
+    }
+
+    /** All options say what they do in the third person; the library's texts of these two are commands. */
+    @ParameterizedTest
+    @MethodSource("commands")
+    void theCommonOptionsSayWhatTheyDo(String command) {
+        assertThat(Program.run(command, "--help").out())
+                .containsPattern("-h, --help +Prints this help\\.")
+                .containsPattern("-V, --version +Prints the version, ");
+    }
+
     @ParameterizedTest
     @MethodSource("commands")
     void everyCommandListsItsExitCodesAndTheCommonOptions(String command) {

@@ -127,7 +127,7 @@ class RouteCommandTest {
         List<String> lines = outcome.out().lines().toList();
         assertThat(lines.get(0))
                 .isEqualTo("weakest routes of drone 'one' to the protected zone, by where they begin;"
-                        + " exposure counts while 5 s are left for the response:");
+                        + " exposure counts while at least 5 s are left for the response:");
         assertThat(lines.subList(2, 10))
                 .extracting(line -> line.substring(0, 11).strip())
                 .containsExactly(

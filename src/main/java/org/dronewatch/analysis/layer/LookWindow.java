@@ -10,8 +10,8 @@ import org.dronewatch.sensor.SensorSettings;
 
 /**
  * The looks that a sensor takes within some time while it searches. The time begins at any phase of the search; the
- * search repeats itself. Which phases the looks meet follows from the one at which they begin: within a time shorter
- * than the period, a sensor that turns may not once point to the drone. Immutable.
+ * search repeats itself. The first phase determines all others at which the sensor looks: within a time shorter than
+ * the period, a sensor that turns may not once point to the drone. Immutable.
  */
 public final class LookWindow {
     /** Observers whose required probabilities differ by less than this are treated as one. */

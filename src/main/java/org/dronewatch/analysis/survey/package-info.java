@@ -1,2 +1,2 @@
-/** What a detection field comes to: coverage by height and condition, its gaps, and the evidence for each of them. */
+/** A summary of a detection field: coverage by height and condition, its gaps, and the evidence for each of them. */
 package org.dronewatch.analysis.survey;

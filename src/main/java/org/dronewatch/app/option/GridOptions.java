@@ -43,8 +43,10 @@ public final class GridOptions {
 
     @Option(
             names = CENTRE,
-            paramLabel = "EAST,NORTH",
-            description = "Middle of the area in the scene's frame; the middle of the sensors by default.")
+            paramLabel = "POINT",
+            description =
+                    "Middle of the area, east and north in the scene's frame, such as 100m,-50m; the middle of the"
+                            + " sensors by default.")
     private String centre;
 
     @Option(

@@ -15,8 +15,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.input.LinkOut;
 
 /**
- * The airspace that is to be covered, and the terms on which a sensor covers it; these are as for the options of
- * {@code coverage} of the same names.
+ * The airspace that is to be covered, and the terms on which a sensor covers it; these have the meaning of the options
+ * of {@code coverage} with the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
  * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by

@@ -15,7 +15,7 @@ final class FrontWords {
     /** Fractions from here on are less than all, but round to 100, %. */
     private static final double MOST_ROUNDED = 99.95;
 
-    private static final String ROW = "%12s  %12s  %8s  %8s  %s";
+    private static final String ROW = "%12s  %12s  %8s  %11s  %s";
 
     private final PlaceMeasure measure;
 
@@ -31,7 +31,7 @@ final class FrontWords {
         }
         lines.add("");
         lines.add("best layout for each budget:");
-        lines.add(PlaceTable.text(ROW, "cost", "more", measure.heading(), "at most", "change"));
+        lines.add(PlaceTable.text(ROW, "cost", "added cost", measure.heading(), "upper bound", "change"));
         double before = Double.NaN;
         for (FrontPoint<? extends PlacedLayout> point : points) {
             lines.add(PlaceTable.text(

@@ -157,10 +157,11 @@ final class PlaceReport {
         return Html.plain(
                         "p",
                         "Each row is the best layout that was found for its cost, in a separate search; a dearer layout"
-                                + " need not contain a cheaper one. 'At most' is what no layout for that money can"
-                                + " exceed. 'Change' states what is bought, and where most is gained, as seen from the"
+                                + " need not contain a cheaper one. No layout for that money can exceed the upper"
+                                + " bound. 'Change' states what is bought, and where most is gained, as seen from the"
                                 + " middle of the area.")
-                + Html.table(List.of(words.priced("cost"), "more", measure.heading(), "at most", "change"), rows);
+                + Html.table(
+                        List.of(words.priced("cost"), "added cost", measure.heading(), "upper bound", "change"), rows);
     }
 
     /** Those of the pictures whose file has such a name, with their captions. */

@@ -16,6 +16,7 @@ import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.RouteBegins;
+import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.PlainText;
 
@@ -120,7 +121,13 @@ final class RouteNotes {
                                 .size()
                         + " flights of each route, which begin at moments spread over the " + period(Set.of(sensor))
                         + " between two looks of '"
-                        + PlainText.value(sensor) + "' in the same direction.");
+                        + PlainText.value(sensor) + (isSearching(sensor) ? "' in the same direction." : "'."));
+    }
+
+    /** Whether a sensor turns, so that not all of its looks can detect a drone that stays where it is. */
+    private boolean isSearching(String sensor) {
+        return Mounted.positioner(inputs.settings().enabledSensors().get(sensor))
+                .isPresent();
     }
 
     private String period(Set<String> sensors) {

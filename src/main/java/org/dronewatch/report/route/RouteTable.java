@@ -32,7 +32,8 @@ public final class RouteTable {
         lines.add("weakest routes of drone '" + inputs.drone() + "' to " + inputs.targetInWords()
                 + ", by where they begin"
                 + (isRequired
-                        ? "; exposure counts while " + Numbers.text(survey.response()) + " s are left for the response:"
+                        ? "; exposure counts while at least " + Numbers.text(survey.response())
+                                + " s are left for the response:"
                         : ":"));
         lines.add(text(ROW, "from", "flight", "counted exposure", "lower bound", "search", "detected", "time left")
                 + (mayGlide ? text(GLIDE, "motors off") : "")

@@ -65,7 +65,7 @@ final class RouteWords {
                 case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
                 case TOO_SLOW -> "across the line of sight or too slow" + often;
                 case UNKNOWN -> "where the line of sight leaves the known ground" + often;
-                case SILENT -> "without an emission that the sensors recognise" + often;
+                case SILENT -> often.strip() + " without an emission that the sensors recognise";
                 default -> CoverageTable.name(cause) + often;
             };
         });

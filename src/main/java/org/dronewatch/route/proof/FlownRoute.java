@@ -19,8 +19,9 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed where it is
- * taken. The route begins at several moments of the slowest scan, all equally likely ({@link RouteBegins}): all figures
- * are means over them. Positioners only search, since what they follow depends on chance. Immutable and thread-safe.
+ * taken. The route begins at several equally likely moments within the period of the slowest scan ({@link
+ * RouteBegins}): all figures are means over them. Positioners only search, since what they follow depends on chance.
+ * Immutable and thread-safe.
  */
 public final class FlownRoute {
     /** The assumed standard deviation, as a fraction of the mean, of the time that is left and of the response time. */

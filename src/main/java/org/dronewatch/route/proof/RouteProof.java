@@ -15,11 +15,11 @@ import org.dronewatch.sensor.Mounted;
 import org.dronewatch.statistics.Proportion;
 
 /**
- * A route proved by flight: how often runs of its scene detect the drone, and how often they should. The prediction is
- * {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance decides once
- * per encounter, the mean over all draws. Positioners only search in these runs, since what they follow depends on
- * chance. Where software looks for spots in the images of a thermal camera, successive looks share frames and so are
- * not independent: for such cameras, the prediction is too high.
+ * A route checked by trial flights: how often runs of its scene detect the drone, and how often they should. The
+ * prediction is {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance
+ * decides once per encounter, the mean over all draws. Positioners only search in these runs, since what they follow
+ * depends on chance. Where software looks for spots in the images of a thermal camera, successive looks share frames
+ * and so are not independent: for such cameras, the prediction is too high.
  *
  * @param detection the predicted mean probability that a run detects the drone, and the proportion of those that do
  * @param bySensor the prediction for each sensor, as if it were the only one
