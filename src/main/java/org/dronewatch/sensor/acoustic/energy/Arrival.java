@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.imagesource.EnteredSolids;
 import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
@@ -129,11 +130,11 @@ final class Arrival {
         if (!isFromStart) {
             return leg.matchesFromEnd(ends.ofTarget());
         }
-        return !leg.isThroughWalls()
-                && (leg.order() == 1
-                        || leg.matchesFromStart(ends.pureOfStart())
-                        || leg.matchesFromEnd(ends.pureOfTarget())
-                        || leg.matchesFromEnd(ends.exactly()));
+        // Exact paths pass through walls, too.
+        return leg.order() == 1
+                || leg.isReflectedFromStart(ends.pureOfStart())
+                || leg.isReflectedFromEnd(ends.pureOfTarget())
+                || leg.isReflectedFromEnd(ends.exactly());
     }
 
     /**

@@ -4,6 +4,7 @@ import java.util.random.RandomGenerator;
 import org.dronewatch.bvh.RayPacket;
 import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sensor.RayRecorder;
+import org.dronewatch.sensor.acoustic.imagesource.CrossedFaces;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;

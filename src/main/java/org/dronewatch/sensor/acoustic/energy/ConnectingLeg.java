@@ -1,8 +1,10 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import org.dronewatch.sensor.acoustic.imagesource.EnteredSolids;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.imagesource.SpecularPath;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.WallTransmission;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
@@ -22,7 +24,7 @@ final class ConnectingLeg {
     private int traced;
 
     ConnectingLeg(World world, WallPlanes planes, BandSurfaces surfaces) {
-        this.walls = new WallTransmission(world, surfaces);
+        this.walls = new WallTransmission(world, planes, surfaces);
         this.path = new SpecularPath(world, planes, surfaces);
     }
 

@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.imagesource.EnteredSolids;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;

@@ -1,7 +1,9 @@
 package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
@@ -42,6 +44,9 @@ final class EndSearch {
     /** Maximum number of image sources for which purely specular paths are searched. */
     private static final int MOST_PURE = 8000;
 
+    /** The same for those that rays find after they have passed through walls. */
+    private static final int MOST_BEHIND_WALLS = 2000;
+
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
     private static final int MOST_EXTRA = 6;
 
@@ -75,8 +80,11 @@ final class EndSearch {
     private final double[] mirrored;
     private final Samples samplesOfSensor;
 
-    /** The sensor as an end, among sheltered ends or not; found when it is first needed. */
-    private final End[] ofSensor = new End[2];
+    /**
+     * The sensor as an end, among sheltered ends or not, by the fraction that walls leave of direct sound; found when
+     * it is first needed.
+     */
+    private final Map<Boolean, Map<Double, End>> ofSensor = Map.of(true, new HashMap<>(), false, new HashMap<>());
 
     EndSearch(
             EnergyModel model, Position sensor, double radius, World world, WallPlanes planes, BandSurfaces surfaces) {
@@ -87,7 +95,7 @@ final class EndSearch {
         this.search = new ImageSourceSearch(world, planes, surfaces);
         this.samples = new ScatterSamples(world, planes, surfaces);
         this.joined = new JoinedImages(planes, new SpecularPath(world, planes, surfaces), ofOneRay);
-        this.rough = new RoughEstimate(world);
+        this.rough = new RoughEstimate(world, planes, surfaces);
         this.samplesOfSensor = samples.from(sensor, SAMPLES, SCATTERINGS);
         this.mirrored = new double[planes.count()];
         for (int wall = 0; wall < mirrored.length; wall++) {
@@ -124,17 +132,23 @@ final class EndSearch {
             ImageSources candidates,
             Samples samples) {}
 
-    private End end(Position position, int rays, Samples itsSamples) {
-        ImageSourceCandidates found = search.from(position, rays, maxOrder);
-        return new End(position, found, rays, found.best(MOST_PURE, 0.0), found.best(MOST_CANDIDATES, 0.0), itsSamples);
+    private End end(Position position, int rays, Samples itsSamples, double direct) {
+        ImageSourceCandidates behindWalls = new ImageSourceCandidates();
+        ImageSourceCandidates found = search.from(position, rays, maxOrder, behindWalls, direct);
+        ImageSources pure = found.best(MOST_PURE, 0.0);
+        if (!behindWalls.isEmpty()) {
+            ImageSourceCandidates both = new ImageSourceCandidates();
+            both.add(pure);
+            both.add(behindWalls.best(MOST_BEHIND_WALLS, 0.0));
+            pure = both.best(Integer.MAX_VALUE, 0.0);
+        }
+        return new End(position, found, rays, pure, found.best(MOST_CANDIDATES, 0.0), itsSamples);
     }
 
-    private End sensor(boolean isToShelter) {
-        int which = isToShelter ? 1 : 0;
-        if (ofSensor[which] == null) {
-            ofSensor[which] = end(sensor, isToShelter ? RAYS_TO_SHELTER : RAYS, samplesOfSensor);
-        }
-        return ofSensor[which];
+    private End sensor(boolean isToShelter, double direct) {
+        return ofSensor.get(isToShelter)
+                .computeIfAbsent(
+                        direct, key -> end(sensor, isToShelter ? RAYS_TO_SHELTER : RAYS, samplesOfSensor, key));
     }
 
     /**
@@ -150,7 +164,8 @@ final class EndSearch {
         double guess = rough.straight(drone, sensor)
                 + (rough.scattered(drone, samplesOfSensor) + rough.scattered(sensor, samplesOfSource)) / 2.0;
         boolean isToShelter = Math.min(escapedOfSource, escapedOfSensor) < SHELTERED;
-        End fromHere = sensor(isToShelter);
+        double direct = rough.through(drone, sensor);
+        End fromHere = sensor(isToShelter, direct);
         ImageSources fromSensor = worthwhile(fromHere.pure(), sensor, drone, guess);
         if (escapedOfSource <= OPEN && escapedOfSensor <= OPEN) {
             exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], curvature);
@@ -159,7 +174,7 @@ final class EndSearch {
             return new Ends(
                     source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false, scatterers);
         }
-        End fromThere = end(drone, fromHere.rays(), samplesOfSource);
+        End fromThere = end(drone, fromHere.rays(), samplesOfSource, direct);
         ImageSources fromSource = worthwhile(fromThere.pure(), drone, sensor, guess);
         int[] extra = IntStream.concat(firstWalls(fromHere), firstWalls(fromThere))
                 .distinct()
@@ -183,7 +198,7 @@ final class EndSearch {
     void findWithoutSource(SoundSource source, ExactPaths exact, PathCurvature curvature) {
         Position drone = source.position();
         double guess = rough.scattered(drone, samplesOfSensor) + rough.straight(drone, sensor);
-        End fromHere = sensor(true);
+        End fromHere = sensor(true, rough.through(drone, sensor));
         ImageSources fromSensor = worthwhile(fromHere.pure(), sensor, drone, guess);
         int[] extra = firstWalls(fromHere).toArray();
         exact.find(source, sensor, fromSensor, ImageSources.NONE, extra, curvature);

@@ -2,8 +2,10 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import java.util.List;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.acoustic.imagesource.EnteredSolids;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
+import org.dronewatch.sensor.acoustic.imagesource.WallTransmission;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
@@ -38,7 +40,7 @@ final class ExactPaths {
     ExactPaths(EnergyModel model, World world, WallPlanes planes, BandSurfaces surfaces, Air air) {
         this.model = model;
         this.air = air;
-        this.walls = new WallTransmission(world, surfaces);
+        this.walls = new WallTransmission(world, planes, surfaces);
         this.edges = new EdgeLoss(model.diffraction(), world, surfaces, air);
         this.ground = new GroundReflection(model, world, surfaces, air);
         this.specular = new SpecularPaths(world, planes, surfaces, air, ground);

@@ -43,6 +43,7 @@ final class SpecularPaths {
         this.air = air;
         this.ground = ground;
         this.path = new SpecularPath(world, planes, surfaces);
+        path.throughWalls(true);
         int[] parents = new int[planes.count() + 1];
         int[] walls = new int[planes.count() + 1];
         for (int image = 1; image < walls.length; image++) {

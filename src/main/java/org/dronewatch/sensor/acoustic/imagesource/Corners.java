@@ -14,8 +14,12 @@ final class Corners {
     /** Points per metre of the grid, a power of two: about a micrometre. */
     private static final double GRID = 1 << 20;
 
+    /** A face whose normal is at least this far from that of a wall, as a cosine, stands on it. */
+    private static final double STEEP = 0.9;
+
     private final WallPlanes planes;
     private final Visibility visibility;
+    private final double[] normal = new double[3];
 
     Corners(WallPlanes planes, Visibility visibility) {
         this.planes = planes;
@@ -77,6 +81,37 @@ final class Corners {
         boolean found = visibility.findFirstAlong(
                 onGrid(x) + nx, onGrid(y) + ny, onGrid(z) + nz, -2.0 * nx, -2.0 * ny, -2.0 * nz, 1.0);
         return found && planes.wallOf(visibility.triangle()) == wall ? visibility.triangle() : triangle;
+    }
+
+    /**
+     * The triangle of a wall at a point in it.
+     *
+     * @param wall the plane
+     * @param x of the point, m
+     * @param seenX of a point on the side from which the plane is seen, m
+     * @return its number; negative if the wall is not there, or if something lies just in front of it
+     */
+    int inFront(int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
+        double off = Math.copySign(BESIDE * planes.tolerance(), planes.height(wall, seenX, seenY, seenZ));
+        double nx = off * planes.normal(wall, 0);
+        double ny = off * planes.normal(wall, 1);
+        double nz = off * planes.normal(wall, 2);
+        boolean found = visibility.findFirstAlong(
+                onGrid(x) + nx, onGrid(y) + ny, onGrid(z) + nz, -2.0 * nx, -2.0 * ny, -2.0 * nz, 1.0);
+        // What stands on the wall, and reaches the point by rounding alone, is crossed elsewhere.
+        while (found && planes.wallOf(visibility.triangle()) != wall && stands(visibility.triangle(), wall)) {
+            found = visibility.findNext();
+        }
+        return found && planes.wallOf(visibility.triangle()) == wall ? visibility.triangle() : -1;
+    }
+
+    private boolean stands(int triangle, int wall) {
+        visibility.world().mesh().normal(triangle, normal);
+        double along = normal[0] * planes.normal(wall, 0)
+                + normal[1] * planes.normal(wall, 1)
+                + normal[2] * planes.normal(wall, 2);
+        double size = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        return Math.abs(along) < STEEP * size;
     }
 
     /** The nearest multiple of a length that is far above the rounding of a point and far below the tolerance. */

@@ -90,6 +90,19 @@ public final class ImageSourceCandidates {
         }
     }
 
+    /** Whether no image source has been added. */
+    public boolean isEmpty() {
+        return count == 1;
+    }
+
+    /** Adds all image sources of others that are not known yet, as worth nothing. */
+    public void add(ImageSources others) {
+        int[] images = new int[others.count()];
+        for (int image = 1; image < images.length; image++) {
+            images[image] = add(images[others.parent(image)], others.wall(image), 0.0);
+        }
+    }
+
     /** The worth of the image source of a sequence of walls; 0 if the image source is not known. */
     public double worth(int[] sequence) {
         int image = ImageSources.ORIGINAL;

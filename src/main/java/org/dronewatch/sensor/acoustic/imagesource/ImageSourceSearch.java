@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  */
 public final class ImageSourceSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */
-    private static final double FAINT = 1e-3;
+    static final double FAINT = 1e-3;
 
     /** How many times the search is refined around rays that alone have found an image source. */
     private static final int DEEPEST = 3;
@@ -38,6 +38,8 @@ public final class ImageSourceSearch {
     private final World world;
     private final Normals normals;
     private final RayTracer tracer;
+    private final SearchThroughWalls beyond;
+    private final boolean anyTransmits;
     private final WallPlanes planes;
     private final double[] mirrored;
     private final AcousticRay ray = new AcousticRay();
@@ -48,6 +50,8 @@ public final class ImageSourceSearch {
         this.world = world;
         this.normals = new Normals(world.mesh());
         this.tracer = world.newIncoherentRayTracer();
+        this.beyond = new SearchThroughWalls(world, planes, surfaces);
+        this.anyTransmits = surfaces.anyTransmits();
         this.planes = planes;
         this.mirrored = new double[world.surfaces().size()];
         for (int material = 0; material < mirrored.length; material++) {
@@ -64,8 +68,14 @@ public final class ImageSourceSearch {
      * @param from the point, m
      * @param rays number of rays, spread over all directions
      * @param maxOrder maximum number of walls of an image source
+     * @param behindWalls receives the image sources that rays find after they have passed through walls that transmit
+     *     sound
+     * @param direct the fraction that walls leave of direct sound, above 0; rays of which walls leave much less are
+     *     abandoned
      */
-    public ImageSourceCandidates from(Position from, int rays, int maxOrder) {
+    public ImageSourceCandidates from(
+            Position from, int rays, int maxOrder, ImageSourceCandidates behindWalls, double direct) {
+        beyond.start(behindWalls, direct);
         ImageSourceCandidates tree = new ImageSourceCandidates();
         List<double[]> lonely = new ArrayList<>();
         for (int i = 0; i < rays; i++) {
@@ -99,6 +109,7 @@ public final class ImageSourceSearch {
      */
     public ImageSourceCandidates towards(Position from, List<Position> to, int maxOrder) {
         ImageSourceCandidates tree = new ImageSourceCandidates();
+        beyond.start(new ImageSourceCandidates(), 1.0);
         for (Position point : to) {
             Position direction = point.minus(from);
             double length = direction.length();
@@ -137,9 +148,11 @@ public final class ImageSourceSearch {
         ray.originX = from.x();
         ray.originY = from.y();
         ray.originZ = from.z();
+        int[] walls = new int[maxOrder];
         int image = ImageSources.ORIGINAL;
         double left = 1.0;
         boolean isLonely = false;
+        beyond.begin();
         for (int order = 0; order < maxOrder; order++) {
             if (!ray.meets(tracer)) {
                 break;
@@ -147,15 +160,20 @@ public final class ImageSourceSearch {
             int triangle = tracer.triangle();
             normals.facing(triangle, ray, normal);
             ray.advance(tracer.distance());
+            if (anyTransmits) {
+                beyond.pass(ray, triangle, normal, walls, order, left);
+            }
             left *= mirrored[world.material(triangle, ray.originX, ray.originY)];
             if (left < FAINT) {
                 break;
             }
             ray.standOff(normal, 1.0);
             ray.reflect(normal);
-            image = tree.add(image, planes.wallOf(triangle), left);
+            walls[order] = planes.wallOf(triangle);
+            image = tree.add(image, walls[order], left);
             isLonely |= order > 0 && left > WORTH_A_LOOK && tree.worth(image) <= FEW * left;
         }
+        beyond.follow(maxOrder);
         if (isLonely) {
             lonely.add(direction);
         }

@@ -109,10 +109,20 @@ public final class SpecularLeg {
         return order == 0 && !isThroughWalls;
     }
 
-    /** Whether it is reflected like sound from one of the image sources of the point where the ray began. */
+    /**
+     * Whether it is reflected like sound from one of the image sources of the point where the ray began, in air alone.
+     */
     public boolean matchesFromStart(ImageSources imageSources) {
+        return !isThroughWalls && isReflectedFromStart(imageSources);
+    }
+
+    /**
+     * Whether it is reflected like sound from one of the image sources of the point where the ray began, whatever the
+     * walls through which it passed in between.
+     */
+    public boolean isReflectedFromStart(ImageSources imageSources) {
         // The parents of images are images, too: a leg that has left their tree never returns, and is not looked up.
-        if (isThroughWalls || order == 0 || imageSources == left || imageSources == leftBefore) {
+        if (order == 0 || imageSources == left || imageSources == leftBefore) {
             return false;
         }
         if (imageSources.contains(order, key)) {
@@ -124,9 +134,18 @@ public final class SpecularLeg {
     }
 
     /**
-     * Whether, traced backward, it is reflected like sound from one of the image sources of a point where the ray ends.
+     * Whether, traced backward, it is reflected like sound from one of the image sources of a point where the ray ends,
+     * in air alone.
      */
     public boolean matchesFromEnd(ImageSources imageSources) {
-        return !isThroughWalls && order > 0 && imageSources.contains(order, reverse);
+        return !isThroughWalls && isReflectedFromEnd(imageSources);
+    }
+
+    /**
+     * Whether, traced backward, it is reflected like sound from one of the image sources of a point where the ray ends,
+     * whatever the walls through which it passed in between.
+     */
+    public boolean isReflectedFromEnd(ImageSources imageSources) {
+        return order > 0 && imageSources.contains(order, reverse);
     }
 }

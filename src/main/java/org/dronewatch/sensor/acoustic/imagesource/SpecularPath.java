@@ -1,32 +1,33 @@
 package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
-import org.dronewatch.sensor.acoustic.propagation.ArcSight;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
-import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
  * A path from one point via specular reflections to another, constructed from image sources: it must hit every wall at
- * the right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). One
- * per thread.
+ * the right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). It
+ * may pass through walls that transmit sound if {@link #throughWalls} says so. One per thread.
  */
 public final class SpecularPath {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** The largest part of a leg, at either end, along which an arc need not be free. */
-    private static final double MOST_OFF = 0.01;
-
-    private final World world;
     private final WallPlanes planes;
-    private final BandSurfaces surfaces;
-    private final Visibility visibility;
-    private final Corners corners;
     private final double[] reflected = new double[BANDS];
-    private final ArcSight arcs;
+    private final FreeLegs free;
+    private final LegsThroughWalls legs;
+    private final Corners corners;
+    private final boolean anyTransmits;
     private PathCurvature curvature = PathCurvature.NONE;
+
+    /** Whether paths through walls count. */
+    private boolean mayPassThrough;
+
+    /** Whether the path is followed through walls. */
+    private boolean isThrough;
+
     private double ahead;
     private double length;
     /** Where the last leg began. */
@@ -38,12 +39,19 @@ public final class SpecularPath {
 
     /** A path in a world, none yet. */
     public SpecularPath(World world, WallPlanes planes, BandSurfaces surfaces) {
-        this.world = world;
         this.planes = planes;
-        this.surfaces = surfaces;
-        this.visibility = Visibility.ofClearPoints(world);
-        this.corners = new Corners(planes, visibility);
-        this.arcs = new ArcSight(world);
+        this.free = new FreeLegs(world, planes, surfaces);
+        this.corners = free.corners();
+        this.anyTransmits = surfaces.anyTransmits();
+        this.legs = new LegsThroughWalls(world, planes, surfaces);
+    }
+
+    /**
+     * Sets whether subsequent paths may also pass through walls that transmit sound, attenuated like direct sound. By
+     * default, they may not.
+     */
+    public void throughWalls(boolean isAllowed) {
+        mayPassThrough = isAllowed && anyTransmits;
     }
 
     /**
@@ -89,6 +97,17 @@ public final class SpecularPath {
                 && (isSame(fromWall, imageSources.wall(image)) || isSame(toWall, imageSources.firstWall(image)))) {
             return false;
         }
+        isThrough = false;
+        free.begin();
+        if (isPath(imageSources, images, image, fromX, fromY, fromZ)) {
+            return true;
+        }
+        isThrough = mayPassThrough && free.isBehindWall();
+        return isThrough && isPath(imageSources, images, image, fromX, fromY, fromZ);
+    }
+
+    private boolean isPath(
+            ImageSources imageSources, double[] images, int image, double fromX, double fromY, double fromZ) {
         double x = fromX;
         double y = fromY;
         double z = fromZ;
@@ -96,6 +115,7 @@ public final class SpecularPath {
         int corner = image;
         set(before, fromX, fromY, fromZ);
         Arrays.fill(reflected, 1.0);
+        legs.begin(fromX, fromY, fromZ);
         boolean isInEdge = false;
         for (int rest = image; rest != ImageSources.ORIGINAL; rest = imageSources.parent(rest)) {
             int next = imageSources.wall(rest);
@@ -115,15 +135,20 @@ public final class SpecularPath {
                     || !planes.mayContain(next, x + fraction * dx, y + fraction * dy, z + fraction * dz)) {
                 return false;
             }
-            if (!isThere
-                    && !isInEdge
-                    && corners.isCut(before, x, y, z, fraction * dx, fraction * dy, fraction * dz, wall, next)) {
+            double legX = fraction * dx;
+            double legY = fraction * dy;
+            double legZ = fraction * dz;
+            boolean isLeaving = !isThere && !isThrough && !isInEdge;
+            if (isLeaving && free.isCut(before, x, y, z, legX, legY, legZ, wall, next)
+                    || isThrough && !isThere && !passes(x, y, z, legX, legY, legZ, wall, next)) {
                 return false;
             }
             isInEdge = isThere;
             int triangle = isThere
                     ? corners.besideEdge(wall, next, x, y, z, before[0], before[1], before[2])
-                    : met(x, y, z, dx, dy, dz, fraction, wall, next);
+                    : isThrough
+                            ? corners.inFront(next, x + legX, y + legY, z + legZ, x, y, z)
+                            : free.met(x, y, z, dx, dy, dz, fraction, wall, next);
             if (triangle < 0) {
                 return false;
             }
@@ -132,20 +157,20 @@ public final class SpecularPath {
                 length = whole;
                 set(first, dx / whole, dy / whole, dz / whole);
             }
-            int material = world.material(triangle, x + fraction * dx, y + fraction * dy);
             double cosine = Math.abs(here - there) / whole;
-            for (int band = 0; band < BANDS; band++) {
-                reflected[band] *= surfaces.mirrored(material, band, cosine);
-            }
-            if (!isThere && !isFreeAsArc(x, y, z, fraction * dx, fraction * dy, fraction * dz)) {
+            if (!legs.reflect(triangle, x + legX, y + legY, z + legZ, dx, dy, dz, cosine)
+                    || !isThere && !isThrough && !isFreeAsArc(x, y, z, legX, legY, legZ)) {
                 return false;
+            }
+            for (int band = 0; band < BANDS; band++) {
+                reflected[band] *= legs.mirrored(band);
             }
             if (!isThere) {
                 set(before, x, y, z);
             }
-            x += fraction * dx;
-            y += fraction * dy;
-            z += fraction * dz;
+            x += legX;
+            y += legY;
+            z += legZ;
             if (rest == image) {
                 set(metFirst, x, y, z);
             }
@@ -184,67 +209,33 @@ public final class SpecularPath {
         double dz = images[2] - z;
         double leg = Math.sqrt(dx * dx + dy * dy + dz * dz);
         set(last, dx / leg, dy / leg, dz / leg);
-        return !findFirst(x, y, z, dx, dy, dz, 1.0, wall)
-                && (isInEdge || !corners.isCut(before, x, y, z, dx, dy, dz, wall, WallPlanes.NONE))
-                && isFreeAsArc(x, y, z, dx, dy, dz);
+        if (!isThrough) {
+            return free.isFreeToTheEnd(x, y, z, dx, dy, dz, wall)
+                    && (isInEdge || !free.isCut(before, x, y, z, dx, dy, dz, wall, WallPlanes.NONE))
+                    && isFreeAsArc(x, y, z, dx, dy, dz);
+        }
+        if (!passes(x, y, z, dx, dy, dz, wall, WallPlanes.NONE)) {
+            return false;
+        }
+        for (int band = 0; band < BANDS; band++) {
+            reflected[band] *= legs.passed(band);
+        }
+        return true;
     }
 
-    /** Whether a leg that is free as a straight line is so as an arc. */
     private boolean isFreeAsArc(double x, double y, double z, double dx, double dy, double dz) {
-        if (curvature.isNone()) {
-            return true;
-        }
-        double bent = curvature.along(ahead * dx, ahead * dy, ahead * dz);
-        double whole = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        if (PathCurvature.pieces(bent, whole) == 1) {
-            return true;
-        }
-        // Rounding may have put the ends behind the walls on which they lie.
-        double off = Math.min(MOST_OFF, Corners.BESIDE * planes.tolerance() / whole);
-        double end = 1.0 - off;
-        return arcs.isFree(x + off * dx, y + off * dy, z + off * dz, x + end * dx, y + end * dy, z + end * dz, bent);
+        return curvature.isNone() || free.isFreeAsArc(x, y, z, dx, dy, dz, bent(dx, dy, dz));
     }
 
-    /**
-     * The triangle at which a leg of a path hits a wall.
-     *
-     * @param fraction fraction of the vector at which it should
-     * @return its number; negative if something else is hit first
-     */
-    private int met(double x, double y, double z, double dx, double dy, double dz, double fraction, int from, int to) {
-        if (!findFirst(x, y, z, dx, dy, dz, Double.POSITIVE_INFINITY, from)) {
-            return -1;
-        }
-        int triangle = visibility.triangle();
-        int met = planes.wallOf(triangle);
-        if (met == to) {
-            return planes.isMixed(to)
-                    ? corners.uppermost(triangle, to, x + fraction * dx, y + fraction * dy, z + fraction * dz, x, y, z)
-                    : triangle;
-        }
-        if (met == WallPlanes.NONE || !planes.meet(met, to)) {
-            return -1;
-        }
-        // In the edge of two walls rounding decides which of them is met first.
-        double off = Math.abs(visibility.distance() - fraction) * Math.sqrt(dx * dx + dy * dy + dz * dz);
-        return off < planes.tolerance()
-                ? corners.besideEdge(met, to, x + fraction * dx, y + fraction * dy, z + fraction * dz, x, y, z)
-                : -1;
+    private boolean passes(double x, double y, double z, double dx, double dy, double dz, int wall, int next) {
+        return legs.goOn(x, y, z, dx, dy, dz, curvature.isNone() ? 0.0 : bent(dx, dy, dz), wall, next);
     }
 
-    /**
-     * Finds what a leg of a path hits first. The wall that it comes from is flat and hides nothing of what lies
-     * before it, though rounding may have put the leg's beginning behind one of its triangles.
-     */
-    private boolean findFirst(double x, double y, double z, double dx, double dy, double dz, double end, int wall) {
-        boolean found = visibility.findFirstAlong(x, y, z, dx, dy, dz, end);
-        while (found && wall != WallPlanes.NONE && planes.wallOf(visibility.triangle()) == wall) {
-            found = visibility.findNext();
-        }
-        return found;
+    private double bent(double dx, double dy, double dz) {
+        return curvature.along(ahead * dx, ahead * dy, ahead * dz);
     }
 
-    /** The fraction of a band's energy that all walls together reflect along the path. */
+    /** The fraction of a band's energy that is left by all walls that reflect the path or transmit it. */
     public double reflected(int band) {
         return reflected[band];
     }

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
 
@@ -6,9 +6,9 @@ import java.util.Arrays;
  * The solids within which a path of sound is, by the numbers of their materials. They may overlap, as walls do at the
  * corners of merged models: leaving one of them does not end the others. A mutable, reused object, for one thread.
  */
-final class EnteredSolids {
+public final class EnteredSolids {
     /** Air: within no solid. Not to be modified. */
-    static final EnteredSolids NONE = new EnteredSolids();
+    public static final EnteredSolids NONE = new EnteredSolids();
 
     private int[] materials = new int[4];
 
@@ -18,7 +18,7 @@ final class EnteredSolids {
     private int count;
 
     /** Back into air. */
-    void clear() {
+    public void clear() {
         count = 0;
     }
 

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
 import java.util.Collections;
@@ -9,7 +9,6 @@ import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.EllipsoidQuery;
-import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.world.World;
 
 /**

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
@@ -11,7 +11,7 @@ import org.dronewatch.world.World;
  * The path leaves the solids within which it is, and enters the others. Faces of a sheet that lie upon one another
  * count as one, and so do those of a solid if the path has entered it through as many. One per thread.
  */
-final class CrossedFaces {
+public final class CrossedFaces {
     /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */
     private static final double EDGE = 1e-9;
 
@@ -31,14 +31,15 @@ final class CrossedFaces {
     private int count;
     private double beyond;
 
-    CrossedFaces(World world, BandSurfaces surfaces) {
+    /** The faces of a world, none found yet. */
+    public CrossedFaces(World world, BandSurfaces surfaces) {
         this.world = world;
         this.mesh = world.mesh();
         this.surfaces = surfaces;
     }
 
     /** Finds the faces at the origin of a ray, which has met one of them there. */
-    void find(int triangle, int material, AcousticRay ray) {
+    public void find(int triangle, int material, AcousticRay ray) {
         find(triangle, material, ray.originX, ray.originY, ray.originZ, ray.directionX, ray.directionY, ray.directionZ);
     }
 
@@ -50,7 +51,8 @@ final class CrossedFaces {
      * @param x of the point, m
      * @param alongX of the path's direction, which may have any length
      */
-    void find(int triangle, int material, double x, double y, double z, double alongX, double alongY, double alongZ) {
+    public void find(
+            int triangle, int material, double x, double y, double z, double alongX, double alongY, double alongZ) {
         count = 0;
         beyond = 0.0;
         add(triangle, material, 2);
@@ -113,17 +115,17 @@ final class CrossedFaces {
     }
 
     /** The number of materials of these faces. */
-    int count() {
+    public int count() {
         return count;
     }
 
     /** One of the materials, which are counted from 0. */
-    int material(int number) {
+    public int material(int number) {
         return materials[number];
     }
 
     /** A face of that material. */
-    int triangle(int number) {
+    public int triangle(int number) {
         return triangles[number];
     }
 
@@ -132,12 +134,12 @@ final class CrossedFaces {
     }
 
     /** Whether a path within some solids enters a solid or a sheet of that material here. */
-    boolean begins(int number, EnteredSolids solids) {
+    public boolean begins(int number, EnteredSolids solids) {
         return faces(number) > solids.faces(materials[number]);
     }
 
     /** Takes a path through all of these faces: out of the solids that end here, and into those that begin. */
-    void pass(EnteredSolids solids) {
+    public void pass(EnteredSolids solids) {
         for (int i = 0; i < count; i++) {
             int left = solids.faces(materials[i]);
             solids.leave(materials[i]);
@@ -148,7 +150,7 @@ final class CrossedFaces {
     }
 
     /** The distance to the last of these faces, as a multiple of the path's direction. */
-    double beyond() {
+    public double beyond() {
         return beyond;
     }
 }

@@ -1,4 +1,4 @@
-package org.dronewatch.sensor.acoustic.energy;
+package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
 import org.dronewatch.sensor.acoustic.propagation.ArcLine;
@@ -11,20 +11,23 @@ import org.dronewatch.world.World;
  * Transmission along straight lines and arcs: a sheet attenuates by its transmission loss, a solid once, where the line
  * enters; opaque surfaces transmit nothing. One per thread.
  */
-final class WallTransmission {
+public final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
 
     private final Visibility visibility;
     private final BandSurfaces surfaces;
     private final CrossedFaces faces;
+    private final WallPlanes planes;
     private final ArcLine line = new ArcLine();
     private final double[] passed = new double[BANDS];
     private boolean free;
 
     private final EnteredSolids within = new EnteredSolids();
 
-    WallTransmission(World world, BandSurfaces surfaces) {
+    /** Transmission in a world, along no path yet. */
+    public WallTransmission(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.visibility = Visibility.ofClearPoints(world);
+        this.planes = planes;
         this.surfaces = surfaces;
         this.faces = new CrossedFaces(world, surfaces);
     }
@@ -36,7 +39,7 @@ final class WallTransmission {
      * @param curvature of sound on it, either way, 1/m; 0 for a straight line
      * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this path
      */
-    boolean trace(
+    public boolean trace(
             double fromX,
             double fromY,
             double fromZ,
@@ -45,11 +48,41 @@ final class WallTransmission {
             double toZ,
             EnteredSolids solids,
             double curvature) {
+        begin(solids);
+        return goOn(fromX, fromY, fromZ, toX, toY, toZ, curvature, WallPlanes.NONE, WallPlanes.NONE);
+    }
+
+    /**
+     * Begins a path of several arcs.
+     *
+     * @param solids within which it begins
+     */
+    void begin(EnteredSolids solids) {
         Arrays.fill(passed, 1.0);
         free = true;
         within.copy(solids);
+    }
+
+    /**
+     * Follows the next arc of a path.
+     *
+     * @param curvature of sound on it, either way, 1/m; 0 for a straight line
+     * @param one a wall that the arc does not cross, though rounding may make it seem so, or {@link WallPlanes#NONE}
+     * @param other another such wall, or NONE
+     * @return whether any of the sound gets to its end
+     */
+    boolean goOn(
+            double fromX,
+            double fromY,
+            double fromZ,
+            double toX,
+            double toY,
+            double toZ,
+            double curvature,
+            int one,
+            int other) {
         if (curvature == 0.0) {
-            return passesPiece(fromX, fromY, fromZ, toX, toY, toZ);
+            return passesPiece(fromX, fromY, fromZ, toX, toY, toZ, one, other);
         }
         line.lay(fromX, fromY, fromZ, toX, toY, toZ, curvature, true);
         for (int piece = 0; piece < line.pieces(); piece++) {
@@ -59,7 +92,9 @@ final class WallTransmission {
                     line.z(piece - 1),
                     line.x(piece),
                     line.y(piece),
-                    line.z(piece))) {
+                    line.z(piece),
+                    one,
+                    other)) {
                 return false;
             }
         }
@@ -67,7 +102,8 @@ final class WallTransmission {
     }
 
     /** Follows a straight piece of a path; whether any of the sound gets to its end. */
-    private boolean passesPiece(double fromX, double fromY, double fromZ, double toX, double toY, double toZ) {
+    private boolean passesPiece(
+            double fromX, double fromY, double fromZ, double toX, double toY, double toZ, int one, int other) {
         double x = toX - fromX;
         double y = toY - fromY;
         double z = toZ - fromZ;
@@ -81,6 +117,10 @@ final class WallTransmission {
         boolean found = visibility.findFirstAlong(fromX, fromY, fromZ, x, y, z, 1.0);
         while (found) {
             double along = visibility.distance();
+            if (isOf(visibility.triangle(), one, other)) {
+                found = visibility.findNext();
+                continue;
+            }
             faces.find(
                     visibility.triangle(),
                     visibility.material(),
@@ -96,6 +136,11 @@ final class WallTransmission {
             found = visibility.findBeyond(along + faces.beyond());
         }
         return true;
+    }
+
+    private boolean isOf(int triangle, int one, int other) {
+        int wall = planes.wallOf(triangle);
+        return wall != WallPlanes.NONE && (wall == one || wall == other);
     }
 
     private boolean passesFaces() {
@@ -116,12 +161,17 @@ final class WallTransmission {
     }
 
     /** Whether nothing obstructed the last path. */
-    boolean isFree() {
+    public boolean isFree() {
         return free;
     }
 
+    /** The solids within which the last path ends; not to be modified. */
+    EnteredSolids within() {
+        return within;
+    }
+
     /** The fraction of a band's energy that passed along the last path, 0 to 1. */
-    double passed(int band) {
+    public double passed(int band) {
         return passed[band];
     }
 }
