@@ -1,6 +1,6 @@
 package org.dronewatch.route;
 
-import org.dronewatch.analysis.cell.CellCode;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 
 /**
  * The rate at which one sensor detects a drone with one motion at positions near the middle of one cell. If the sensor
@@ -12,11 +12,11 @@ final class CellRate {
     /** A fraction below this counts like this one; as a power of ten. */
     private static final double NOTHING = -1.5;
 
-    /** By code of a probability, 1/s. */
+    /** By step of a probability, 1/s. */
     private final double[] rates;
 
-    /** By course, the code of the probability. */
-    private final int[] codes;
+    /** By course, the step of the probability. */
+    private final int[] steps;
 
     /** By course, the fraction that passes in the middle of the cell. */
     private final double[] passes;
@@ -33,14 +33,14 @@ final class CellRate {
     /**
      * A rate that depends on the fraction that passes.
      *
-     * @param rates by code of a probability, 1/s
-     * @param codes by course
+     * @param rates by step of a probability, 1/s
+     * @param steps by course
      * @param passes by course, 0 to 1
      * @param along by course, the greater, the nearer its heading is
      */
-    CellRate(double[] rates, int[] codes, double[] passes, double[] along) {
+    CellRate(double[] rates, int[] steps, double[] passes, double[] along) {
         this.rates = rates;
-        this.codes = codes;
+        this.steps = steps;
         this.passes = passes;
         this.along = along;
     }
@@ -91,17 +91,14 @@ final class CellRate {
         int below = below(passing);
         int above = above(passing);
         if (below < 0 || above < 0) {
-            return rates[codes[Math.max(below, above)]];
+            return rates[steps[Math.max(below, above)]];
         }
-        int low = codes[below];
-        int high = codes[above];
-        if (low == high) {
-            return rates[low];
+        if (steps[below] == steps[above]) {
+            return rates[steps[below]];
         }
-        int between = (int) Math.rint(low + fraction(below, above, passing) * (high - low));
-        // Probabilities of 0 and 1 are exact, so that none in between is rounded to them.
-        boolean isExact = between == low || between == high;
-        return rates[isExact ? between : Math.max(1, Math.min(CellCode.STEPS - 1, between))];
+        double low = ProbabilityStep.probability(steps[below]);
+        double high = ProbabilityStep.probability(steps[above]);
+        return rates[ProbabilityStep.of(low + fraction(below, above, passing) * (high - low))];
     }
 
     /** The place of the flight between two courses, 0 to 1, by the level of the signal that passes. */

@@ -227,7 +227,7 @@ public final class FieldExposure implements ExposureField {
         int most = -1;
         for (SensorRates sensor : sensors) {
             int course = sensor.course(corners, nearest, at.x(), at.y(), at.z(), motion);
-            int steps = sensor.field().steps(sensor.sensor(), level, column, row, course);
+            int steps = sensor.field().step(sensor.sensor(), level, column, row, course);
             Cause cause = sensor.field().cause(sensor.sensor(), level, column, row, course);
             if (steps > most || steps == most && cause.compareTo(dominant) > 0) {
                 dominant = cause;

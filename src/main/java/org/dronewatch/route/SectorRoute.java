@@ -102,6 +102,16 @@ public record SectorRoute(
         return Math.abs(one - other) > MISJUDGED / 2;
     }
 
+    /**
+     * Whether a less detected route from the sector is not excluded: the lower bound of the exposure allows a
+     * probability of a detection that counts that is more than 20 percentage points lower than as flown.
+     *
+     * @param response time that the response takes, s; 0 if none is required
+     */
+    public boolean isUnproven(double response) {
+        return inTime(response) + Math.expm1(-route.lower()) > MISJUDGED;
+    }
+
     /** The last moment at which a detection counts, s since the start. */
     private double counted(double response) {
         return response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY;

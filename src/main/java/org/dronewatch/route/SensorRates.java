@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.layer.InterpolationError;
 import org.dronewatch.route.exposure.LegMotion;
@@ -53,10 +53,10 @@ final class SensorRates {
     private final LegMotion[] motions;
 
     /** By step of the probability, 1/s. */
-    private final double[] rates = new double[CellCode.STEPS + 1];
+    private final double[] rates = new double[ProbabilityStep.CERTAIN + 1];
 
     /** By step, the rate at the least probability that is rounded to it, 1/s. */
-    private final double[] leastRates = new double[CellCode.STEPS + 1];
+    private final double[] leastRates = new double[ProbabilityStep.CERTAIN + 1];
 
     /**
      * The rates of a sensor.
@@ -89,11 +89,10 @@ final class SensorRates {
         this.response =
                 its.as(CrossingBlind.class).map(blind -> new RadialResponse(blind, its.position(), motions, crossing));
         double looks = Math.min(its.rate(), INDEPENDENT * flown.mode().speed() / unknownOver());
-        for (int step = 1; step <= CellCode.STEPS; step++) {
-            rates[step] = rate(its, (double) step / CellCode.STEPS, step == CellCode.STEPS ? its.rate() : looks);
-            // The lowest step stands for any probability above 0, the highest for 1 alone.
-            double least = step == 1 ? 0.0 : (step - (step == CellCode.STEPS ? 0.0 : 0.5)) / CellCode.STEPS;
-            leastRates[step] = rate(its, least, step == CellCode.STEPS ? its.rate() : looks);
+        for (int step = 1; step <= ProbabilityStep.CERTAIN; step++) {
+            double rate = step == ProbabilityStep.CERTAIN ? its.rate() : looks;
+            rates[step] = rate(its, ProbabilityStep.probability(step), rate);
+            leastRates[step] = rate(its, ProbabilityStep.least(step), rate);
         }
     }
 
@@ -134,8 +133,8 @@ final class SensorRates {
         return headings;
     }
 
-    private int steps(int level, int column, int row, int course) {
-        return field.steps(sensor, level, column, row, courses[course]);
+    private int step(int level, int column, int row, int course) {
+        return field.step(sensor, level, column, row, courses[course]);
     }
 
     /**
@@ -147,7 +146,7 @@ final class SensorRates {
         int column = corners.column(corner);
         int row = corners.row(corner);
         boolean isSteady = response.isEmpty() || isAlike(level, column, row);
-        return isSteady ? rates[steps(level, column, row, nearest(motion))] : Double.NaN;
+        return isSteady ? rates[step(level, column, row, nearest(motion))] : Double.NaN;
     }
 
     /** The rate that such a cell has if it depends on the {@linkplain #passing fraction of the signal} that passes. */
@@ -155,13 +154,13 @@ final class SensorRates {
         int level = corners.level(corner);
         int column = corners.column(corner);
         int row = corners.row(corner);
-        int[] codes = new int[courses.length];
-        Arrays.setAll(codes, course -> steps(level, column, row, course));
+        int[] steps = new int[courses.length];
+        Arrays.setAll(steps, course -> step(level, column, row, course));
         double x = cells.x(column);
         double y = cells.y(row);
         RadialResponse radial = response.orElseThrow();
         return new CellRate(
-                rates, codes, radial.onCourses(x, y, cells.z(level, column, row)), radial.along(x, y, motion));
+                rates, steps, radial.onCourses(x, y, cells.z(level, column, row)), radial.along(x, y, motion));
     }
 
     /** The fraction of the signal that passes at a position, for a sensor that rejects low radial speeds, 0 to 1. */
@@ -182,19 +181,19 @@ final class SensorRates {
      */
     double least(int level, int column, int row, int heading) {
         if (response.isEmpty()) {
-            return leastRates[steps(level, column, row, heading)];
+            return leastRates[step(level, column, row, heading)];
         }
-        int least = CellCode.STEPS;
+        int least = ProbabilityStep.CERTAIN;
         for (int course = 0; course < courses.length; course++) {
-            least = Math.min(least, steps(level, column, row, course));
+            least = Math.min(least, step(level, column, row, course));
         }
         return leastRates[least];
     }
 
     private boolean isAlike(int level, int column, int row) {
-        int first = steps(level, column, row, 0);
+        int first = step(level, column, row, 0);
         for (int course = 1; course < courses.length; course++) {
-            if (steps(level, column, row, course) != first) {
+            if (step(level, column, row, course) != first) {
                 return false;
             }
         }

@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.SplittableRandom;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.drone.Drone;
@@ -75,14 +76,47 @@ class FieldExposureTest {
             Position at = field.middle(level, column, row);
             double found = exposure.rate(at.x(), at.y(), at.z(), motion(2.0 * Math.PI * course / 8), 0);
             int crossing = crossing(at, course);
-            int steps = field.steps(0, level, column, row, crossing >= 0 ? crossing : course);
-            double expected = steps == 250 ? rate() * CERTAIN : -rate() * Math.log(1.0 - steps / 250.0);
+            int step = field.step(0, level, column, row, crossing >= 0 ? crossing : course);
+            double p = ProbabilityStep.probability(step);
+            double expected = p == 1.0 ? rate() * CERTAIN : -rate() * Math.log(1.0 - p);
             assertThat(found).as("seed %d, cell %d", seed, i).isCloseTo(expected, within(1e-6 * (1.0 + expected)));
             Position edge = new Position(at.x() + 9.9, at.y() - 9.9, at.z());
             assertThat(exposure.least(at, edge, 0)).isLessThanOrEqualTo(found);
             detecting += found > 0.0 ? 1 : 0;
         }
         assertThat(detecting).isBetween(200, 1800);
+    }
+
+    /**
+     * Far away, each look of a radar hardly ever detects the drone, but it looks ten times a second: its rate is kept
+     * to a factor of two down to 4e-5 per second.
+     */
+    @Test
+    void seldomDetectionsAreKeptByTheirSize() throws IOException {
+        site = FieldSite.in(
+                directory,
+                """
+                  round: {kind: radar, position: [0, 0, 4], minRange: 1, maxRange: 900, elevationWidth: 90 deg, rate: 10,
+                    minSpeed: 0 m/s, budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                """);
+        field = site.field(GRID, 2);
+        FieldExposure exposure = exposure();
+        int seldom = 0;
+        for (int cell = 0; cell < GRID.cells(); cell++) {
+            int column = cell % GRID.columns();
+            int row = cell / GRID.columns();
+            double p = field.assess(0, 2, column, row, 0).orElseThrow().probability();
+            if (p > 0.0 && p < 0.002) {
+                Position at = field.middle(2, column, row);
+                double kept = exposure.rate(at.x(), at.y(), at.z(), motion(0.0), 0);
+                double exact = 10.0 * -Math.log1p(-p);
+                assertThat(kept)
+                        .isLessThanOrEqualTo(2.01 * Math.max(exact, 2e-5))
+                        .isGreaterThanOrEqualTo(exact / 2.01);
+                seldom++;
+            }
+        }
+        assertThat(seldom).isGreaterThan(50);
     }
 
     /** Between the middles of eight cells, each contributes by how near it is along each axis. */

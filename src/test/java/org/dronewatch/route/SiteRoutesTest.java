@@ -92,6 +92,8 @@ class SiteRoutesTest {
             assertThat(route.isMisjudged(5.0))
                     .isEqualTo(Math.abs(detected - route.route().detection()) > 0.2);
             assertThat(route.isMisjudged(0.0)).isEqualTo(route.isMisjudged(5.0));
+            double leastLikely = 1.0 - Math.exp(-route.route().lower());
+            assertThat(route.isUnproven(5.0)).isEqualTo(detected > leastLikely + 0.2);
         }
     }
 

@@ -86,6 +86,6 @@ public record FieldTerms(
     /** The probability of a look at and above which all probabilities below 1 count as equal. */
     public double high(SensorSettings<?> sensor) {
         boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
-        return isAnyAlike ? (CellCode.STEPS - 1.0) / CellCode.STEPS : 1.0;
+        return isAnyAlike ? ProbabilityStep.probability(ProbabilityStep.CERTAIN - 1) : 1.0;
     }
 }

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntConsumer;
-import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldColumns;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.Margin;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.layer.ExcessMap;
 import org.dronewatch.analysis.layer.InterpolationError;
 import org.dronewatch.analysis.layer.LayerStore;
@@ -25,7 +25,7 @@ import org.dronewatch.sensor.Cause;
  * margin of the signal. A sensor on a positioner either has turned to the drone or is searching. Everything is assessed
  * once, as in a run; afterwards, any course can be queried without tracing another ray.
  *
- * <p>Probabilities are kept in steps of 1/250; 0 and 1 are exact. Immutable and thread-safe.
+ * <p>Probabilities are kept as {@link ProbabilityStep steps}; 0 and 1 are exact. Immutable and thread-safe.
  */
 public final class DetectionField {
     private final FieldGrid grid;
@@ -221,8 +221,8 @@ public final class DetectionField {
     }
 
     /**
-     * The probability that a sensor detects the drone on the terms of the field, in steps of 1/250; 0 where the drone
-     * cannot be, and where the line of sight leaves the known ground.
+     * The probability that a sensor detects the drone on the terms of the field, as a {@link ProbabilityStep step}; 0
+     * where the drone cannot be, and where the line of sight leaves the known ground.
      *
      * @param sensor its number in {@link #sensors()}
      * @param height its number in the grid
@@ -230,13 +230,13 @@ public final class DetectionField {
      * @param row the row, counted from the north
      * @param course its number in {@link #courses()}
      */
-    public int steps(int sensor, int height, int column, int row, int course) {
-        return all.steps(sensor, height, column, row, course);
+    public int step(int sensor, int height, int column, int row, int course) {
+        return all.step(sensor, height, column, row, course);
     }
 
-    /** The same as a number from 0 to 1. */
+    /** The same as a number from 0 to 1, in steps of 1/250; less, unless it is 0, counts as 1/250. */
     public double probability(int sensor, int height, int column, int row, int course) {
-        return (double) steps(sensor, height, column, row, course) / CellCode.STEPS;
+        return ProbabilityStep.stated(step(sensor, height, column, row, course));
     }
 
     /**
@@ -246,13 +246,13 @@ public final class DetectionField {
      * @throws IllegalArgumentException as for {@link FieldCoverage#checkedProbability}
      */
     public boolean covers(int sensor, int height, int column, int row, int course, double covered) {
-        int needed = CellCode.stepsToCover(FieldCoverage.checkedProbability(covered));
-        return steps(sensor, height, column, row, course) >= needed;
+        int needed = ProbabilityStep.toCover(FieldCoverage.checkedProbability(covered));
+        return step(sensor, height, column, row, course) >= needed;
     }
 
     /**
      * Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Arguments as for
-     * {@link #steps}.
+     * {@link #step}.
      */
     public Cause cause(int sensor, int height, int column, int row, int course) {
         return all.cause(sensor, height, column, row, course);
@@ -260,7 +260,7 @@ public final class DetectionField {
 
     /**
      * The margin by which the signal of a sensor exceeds its threshold, as far as it is kept: in most cells as a bound;
-     * {@link Margin.Known#NOTHING} where the drone cannot be. Arguments as for {@link #steps}.
+     * {@link Margin.Known#NOTHING} where the drone cannot be. Arguments as for {@link #step}.
      */
     public Margin margin(int sensor, int height, int column, int row, int course) {
         return all.margin(sensor, height, column, row, course);
@@ -268,7 +268,7 @@ public final class DetectionField {
 
     /**
      * The assessment with its evidence, computed again: what hides the drone, and by how much its signal is too weak;
-     * empty where the drone cannot be. Arguments as for {@link #steps}.
+     * empty where the drone cannot be. Arguments as for {@link #step}.
      */
     public Optional<Assessment> assess(int sensor, int height, int column, int row, int course) {
         return isOpen(height, column, row)

@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.FieldColumns;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.layer.FieldProbe;
 import org.dronewatch.analysis.layer.LayerRow;
 import org.dronewatch.analysis.layer.SensorLayer;
@@ -50,7 +51,7 @@ final class DraftLayer {
     DraftLayer(FieldProbe probe, FieldColumns columns, double covered) {
         this.probe = probe;
         this.columns = columns;
-        this.needed = CellCode.stepsToCover(covered);
+        this.needed = ProbabilityStep.toCover(covered);
         this.width = columns.columns();
         this.height = columns.rows();
         this.codes = new int[width * height][];
@@ -219,7 +220,7 @@ final class DraftLayer {
         int covering = 1;
         int causes = 0;
         for (int code : known) {
-            covering = 31 * covering + (CellCode.steps(code) >= needed ? 1 : 0);
+            covering = 31 * covering + (CellCode.step(code) >= needed ? 1 : 0);
             causes |= 1 << CellCode.cause(code).ordinal();
         }
         // Positive, so that it is never that of a block without cells.

@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.OptionalInt;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
-import org.dronewatch.analysis.cell.CellCode;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.layer.Dominance;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
@@ -65,7 +65,7 @@ public final class FieldCoverage {
         this.field = field;
         this.choice = choice;
         this.covered = covered;
-        this.needed = CellCode.stepsToCover(covered);
+        this.needed = ProbabilityStep.toCover(covered);
         int all = field.grid().cells() * field.grid().heights().size();
         this.courses = new short[all];
         this.causes = new byte[all];
@@ -105,7 +105,7 @@ public final class FieldCoverage {
         int most = 0;
         boolean leaves = false;
         for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
-            int steps = field.steps(sensor, height, column, row, course);
+            int steps = field.step(sensor, height, column, row, course);
             Cause its = field.cause(sensor, height, column, row, course);
             count += steps >= needed ? 1 : 0;
             leaves |= its == Cause.UNKNOWN;
@@ -194,7 +194,7 @@ public final class FieldCoverage {
     /** Whether a sensor, given by its number, covers a cell on the course that counts there. */
     public boolean covers(int sensor, int height, int column, int row) {
         return field.isOpen(height, column, row)
-                && field.steps(sensor, height, column, row, courseAt(height, column, row)) >= needed;
+                && field.step(sensor, height, column, row, courseAt(height, column, row)) >= needed;
     }
 
     /** Whether a sensor covers a cell. */
@@ -232,6 +232,6 @@ public final class FieldCoverage {
 
     private IntUnaryOperator ranks(int height, int column, int row, int course) {
         return sensor -> Dominance.rank(
-                field.steps(sensor, height, column, row, course), field.cause(sensor, height, column, row, course));
+                field.step(sensor, height, column, row, course), field.cause(sensor, height, column, row, course));
     }
 }

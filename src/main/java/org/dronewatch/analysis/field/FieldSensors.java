@@ -166,8 +166,8 @@ final class FieldSensors {
     }
 
     /** As {@link DetectionField#steps}. */
-    int steps(int sensor, int height, int column, int row, int course) {
-        return layers.get(sensor).steps(height, column, row, inLayers[course]);
+    int step(int sensor, int height, int column, int row, int course) {
+        return layers.get(sensor).step(height, column, row, inLayers[course]);
     }
 
     /** As {@link DetectionField#cause}. */

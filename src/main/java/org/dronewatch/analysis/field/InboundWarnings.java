@@ -8,11 +8,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
-import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldColumns;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.layer.ExcessMap;
 import org.dronewatch.analysis.layer.FieldProbe;
 import org.dronewatch.analysis.layer.LayerStore;
@@ -121,7 +121,7 @@ public record InboundWarnings(
         Drone sample = DetectionField.droneOf(stage, drone);
         double speed = sample.settings().speed();
         double delay = terms.within().orElse(0.0) * speed;
-        int needed = CellCode.stepsToCover(covered);
+        int needed = ProbabilityStep.toCover(covered);
         List<SensorLayer> layers =
                 layers(settings, stage, sample, flights, terms, delay, needed, store, excess, progress);
         List<Warning> all = new ArrayList<>();
@@ -189,7 +189,7 @@ public record InboundWarnings(
         for (int height = 0; height < last.length; height++) {
             for (int bearing = 0; bearing < BEARINGS; bearing++) {
                 for (int step = 0; step < last[height][bearing]; step++) {
-                    if (layer.steps(height, step, bearing, 0) >= needed) {
+                    if (layer.step(height, step, bearing, 0) >= needed) {
                         last[height][bearing] = step;
                     }
                 }
@@ -210,7 +210,7 @@ public record InboundWarnings(
             for (int step = 0; step < flights.steps() && flights.distance(step) > last; step++) {
                 boolean isKnown = true;
                 for (SensorLayer layer : layers) {
-                    if (layer.steps(height, step, bearing, 0) >= needed) {
+                    if (layer.step(height, step, bearing, 0) >= needed) {
                         return new First(OptionalDouble.of(flights.distance(step)), isFromStart);
                     }
                     isKnown &= layer.cause(height, step, bearing, 0) != Cause.UNKNOWN;

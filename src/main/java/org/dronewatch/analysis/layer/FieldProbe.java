@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -163,7 +164,7 @@ public record FieldProbe(
      * @param ofALook the probability of a look, 0 to 1
      */
     int steps(double ofALook) {
-        return CellCode.steps(
+        return ProbabilityStep.of(
                 excess.isPresent() ? ofALook * terms.probability(1.0, settings) : terms.probability(ofALook, settings));
     }
 

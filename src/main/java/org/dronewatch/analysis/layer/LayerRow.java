@@ -6,6 +6,7 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.MarginCode;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -126,7 +127,7 @@ public final class LayerRow {
 
     private int code(CellLook look) {
         Assessment assessment = look.assessment();
-        return code(CellCode.steps(look.probability()), assessment.cause(), margin(assessment));
+        return code(ProbabilityStep.of(look.probability()), assessment.cause(), margin(assessment));
     }
 
     /** Where bounds are too far apart, the drone is assessed. */

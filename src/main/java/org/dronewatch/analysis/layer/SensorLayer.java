@@ -7,6 +7,7 @@ import java.util.function.IntConsumer;
 import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.FieldColumns;
 import org.dronewatch.analysis.cell.Margin;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
@@ -138,9 +139,9 @@ public final class SensorLayer {
                 Arrays.copyOfRange(byCourse, from, from + rows));
     }
 
-    /** The probability that the drone is detected, in steps of 1/250; 0 in a cell in which it cannot be. */
-    public int steps(int height, int column, int row, int course) {
-        return CellCode.steps(at(height, column, row, course));
+    /** The probability that the drone is detected, as a {@link ProbabilityStep step}; 0 where it cannot be. */
+    public int step(int height, int column, int row, int course) {
+        return CellCode.step(at(height, column, row, course));
     }
 
     /** Why the drone is missed; {@link Cause#UNKNOWN} in a cell in which it cannot be. */

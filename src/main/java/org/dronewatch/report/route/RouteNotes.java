@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.report.file.Numbers;
@@ -30,7 +31,7 @@ final class RouteNotes {
 
     /** Notes on the results, one line each. */
     List<String> notes(RouteResults results) {
-        return Stream.of(begins(results.survey()), withoutAlert(results), cued(results))
+        return Stream.of(begins(results.survey()), unproven(results.survey()), withoutAlert(results), cued(results))
                 .flatMap(Optional::stream)
                 .toList();
     }
@@ -44,16 +45,12 @@ final class RouteNotes {
 
     /** Which routes the search misjudges, and which length of cells to try; empty if none. */
     private Optional<String> misjudged(RouteSurvey survey) {
-        List<String> sectors = survey.routes().stream()
-                .filter(route -> route.isMisjudged(survey.response()))
-                .map(RouteWords::sector)
-                .toList();
+        List<String> sectors = sectors(survey, route -> route.isMisjudged(survey.response()));
         return sectors.isEmpty()
                 ? Optional.empty()
                 : Optional.of("the search in cells of "
                         + Numbers.text(inputs.grid().cell()) + " m misjudges the "
-                        + (sectors.size() == 1 ? "route" : "routes") + " from the "
-                        + String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1")
+                        + (sectors.size() == 1 ? "route" : "routes") + " from the " + listed(sectors)
                         + ": as flown, the chance of a detection"
                         + (survey.response() > 0.0 ? " in time" : "") + " differs by more than 20 percentage points"
                         + causes(survey));
@@ -72,14 +69,34 @@ final class RouteNotes {
                         + "' may look at any moment, whereas it looks only every " + period(Set.of(sensor)))
                 .orElse("");
         boolean isCells = routes.stream().anyMatch(route -> route.isMisjudgedForCells(survey.response()));
-        boolean isFiner = 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS;
-        return scan
-                + (isCells
-                        ? isFiner
-                                ? "; try --cell "
-                                        + Numbers.text(0.5 * inputs.grid().cell()) + "m"
-                                : "; try a smaller --side with smaller cells"
-                        : "");
+        return scan + (isCells ? "; try " + finer() : "");
+    }
+
+    /** The options for smaller cells. */
+    private String finer() {
+        return 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS
+                ? "--cell " + Numbers.text(0.5 * inputs.grid().cell()) + "m"
+                : "a smaller --side with smaller cells";
+    }
+
+    private static List<String> sectors(RouteSurvey survey, Predicate<SectorRoute> which) {
+        return survey.routes().stream().filter(which).map(RouteWords::sector).toList();
+    }
+
+    private static String listed(List<String> sectors) {
+        return String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1");
+    }
+
+    /** From which sectors less detected routes may exist, which smaller cells may show; empty if there are none. */
+    private Optional<String> unproven(RouteSurvey survey) {
+        List<String> sectors = sectors(survey, route -> route.isUnproven(survey.response()));
+        return sectors.isEmpty()
+                ? Optional.empty()
+                : Optional.of("Less exposed routes from the " + listed(sectors)
+                        + " are not excluded: the lower bound of the exposure allows a detection"
+                        + (survey.response() > 0.0 ? " in time" : "")
+                        + " that is more than 20 percentage points less likely. To look for them, try " + finer()
+                        + ".");
     }
 
     /**

@@ -2,6 +2,7 @@ package org.dronewatch.run.store;
 
 import java.io.IOException;
 import java.io.StreamCorruptedException;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -162,6 +163,9 @@ public final class SiteStore {
             Path there = Files.createDirectories(directory.get());
             write(there, key.get(), form, value);
             deleteOldest(there);
+        } catch (ClosedByInterruptException e) {
+            // The user wants the program to stop; whether it keeps something does not matter.
+            failed = true;
         } catch (IOException | SecurityException e) {
             failed = true;
             if (reported.add(directory.get())) {

@@ -16,9 +16,9 @@ import java.util.Random;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
-import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.FlightPathSettings;
@@ -105,16 +105,6 @@ class DetectionFieldTest {
         assertThat(in.at(at, 12).velocity().z()).as("level").isZero();
     }
 
-    /** The steps of a probability; only certainty is stored as certainty. */
-    @Test
-    void onlyZeroAndOneAreStoredAsZeroAndOne() {
-        assertThat(CellCode.steps(0.0)).isZero();
-        assertThat(CellCode.steps(Double.MIN_VALUE)).isEqualTo(1);
-        assertThat(CellCode.steps(0.5)).isEqualTo(125);
-        assertThat(CellCode.steps(Math.nextDown(1.0))).isEqualTo(249);
-        assertThat(CellCode.steps(1.0)).isEqualTo(250);
-    }
-
     /** Each sensor takes a look as in a run; where chance decides, it has its probability. */
     @Test
     void aLookHasTheProbabilityOfItsCell() {
@@ -135,7 +125,9 @@ class DetectionFieldTest {
                         .observe(site.stage().world(), List.of(drone), look)
                         .get(0);
                 double stored = field.probability(sensor, one.height, one.column, one.row, one.course);
-                assertThat(stored).as("%s %s", id, one).isEqualTo(CellCode.steps(seen.probability()) / 250.0);
+                assertThat(stored)
+                        .as("%s %s", id, one)
+                        .isEqualTo(ProbabilityStep.stated(ProbabilityStep.of(seen.probability())));
                 if (stored == 0.0 || stored == 1.0) {
                     certain++;
                     assertThat(seen.isDetected()).as("%s %s", id, one).isEqualTo(stored == 1.0);
@@ -192,8 +184,8 @@ class DetectionFieldTest {
             if (expected.isPresent()) {
                 Cause cause = field.cause(0, one.height, one.column, one.row, one.course);
                 assertThat(cause).as("%s at %s", one, middle).isEqualTo(expected.get());
-                assertThat(field.steps(0, one.height, one.column, one.row, one.course))
-                        .isEqualTo(cause == Cause.DETECTED ? 250 : 0);
+                assertThat(field.step(0, one.height, one.column, one.row, one.course))
+                        .isEqualTo(cause == Cause.DETECTED ? ProbabilityStep.CERTAIN : 0);
                 met.add(cause);
             }
         }
@@ -315,8 +307,8 @@ class DetectionFieldTest {
                     for (int course = 0; course < other.courses().size(); course++) {
                         int column = cell % SMALL.columns();
                         int row = cell / SMALL.columns();
-                        if (one.steps(sensor, height, column, row, course)
-                                        != other.steps(sensor, height, column, row, course)
+                        if (one.step(sensor, height, column, row, course)
+                                        != other.step(sensor, height, column, row, course)
                                 || one.cause(sensor, height, column, row, course)
                                         != other.cause(sensor, height, column, row, course)
                                 || !one.margin(sensor, height, column, row, course)

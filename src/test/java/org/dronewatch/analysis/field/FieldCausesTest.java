@@ -144,7 +144,7 @@ class FieldCausesTest {
             }
             if (isBehind && !isOff) {
                 assertThat(field.cause(0, 0, column, row, 0)).isEqualTo(Cause.UNKNOWN);
-                assertThat(field.steps(0, 0, column, row, 0)).isZero();
+                assertThat(field.step(0, 0, column, row, 0)).isZero();
             }
         }
         assertThat(found).doesNotContain(0);

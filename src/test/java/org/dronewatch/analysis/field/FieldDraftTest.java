@@ -84,8 +84,8 @@ class FieldDraftTest {
                 int column = cell % GRID.columns();
                 int row = cell / GRID.columns();
                 for (int course = 0; course < whole.courses().size(); course++) {
-                    boolean isSame = drawn.steps(sensor, 0, column, row, course)
-                                    == whole.steps(sensor, height, column, row, course)
+                    boolean isSame = drawn.step(sensor, 0, column, row, course)
+                                    == whole.step(sensor, height, column, row, course)
                             && drawn.cause(sensor, 0, column, row, course)
                                     == whole.cause(sensor, height, column, row, course)
                             && drawn.margin(sensor, 0, column, row, course)

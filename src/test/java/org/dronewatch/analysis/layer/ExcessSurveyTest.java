@@ -13,11 +13,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
-import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldColumns;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.geometry.Position;
@@ -114,9 +114,9 @@ class ExcessSurveyTest {
             }
             Position at = columns.middle(height, column, row);
             Assessment traced = each.assess(assessor, each.drone(at, 0), each.pointing(at));
-            int steps = layer.steps(height, column, row, 0);
-            double p = (double) steps / CellCode.STEPS;
-            if (steps == 0 || steps == CellCode.STEPS) {
+            int step = layer.step(height, column, row, 0);
+            double p = ProbabilityStep.probability(step);
+            if (step == 0 || step == ProbabilityStep.CERTAIN) {
                 certain++;
                 assertThat(traced.probability()).as("seed %d at %s", seed, at).isEqualTo(p);
                 assertThat(layer.cause(height, column, row, 0)).isEqualTo(traced.cause());
@@ -144,8 +144,8 @@ class ExcessSurveyTest {
         for (int height = 0; height < columns.levels(); height++) {
             for (int column = 1; column < columns.columns(); column++) {
                 for (int row = 0; row < columns.rows(); row++) {
-                    int steps = layer.steps(height, column, row, 0);
-                    boolean isCertain = steps == 0 || steps == CellCode.STEPS;
+                    int step = layer.step(height, column, row, 0);
+                    boolean isCertain = step == 0 || step == ProbabilityStep.CERTAIN;
                     if (!isCertain
                             || !columns.isOpen(height, column, row)
                             || !columns.isOpen(height, column - 1, row)) {
@@ -157,7 +157,7 @@ class ExcessSurveyTest {
                     if (isInSight != sensor.isInSight(each.world(), each.drone(beside, 0))) {
                         certain++;
                         Assessment traced = each.assess(assessor, each.drone(at, 0), each.pointing(at));
-                        assertThat(traced.probability()).as("at %s", at).isEqualTo((double) steps / CellCode.STEPS);
+                        assertThat(traced.probability()).as("at %s", at).isEqualTo(ProbabilityStep.probability(step));
                     }
                 }
             }
@@ -193,7 +193,7 @@ class ExcessSurveyTest {
                         double p = each.assess(assessor, each.drone(at, 0), each.pointing(at))
                                 .probability();
                         assertThat(map.traced(at).get().probability()).isEqualTo(p);
-                        assertThat(layer.steps(height, column, row, 0)).isEqualTo((int) (p * CellCode.STEPS));
+                        assertThat(layer.step(height, column, row, 0)).isEqualTo(ProbabilityStep.of(p));
                     }
                 }
             }
@@ -209,7 +209,7 @@ class ExcessSurveyTest {
         for (int height = 0; height < columns.levels(); height++) {
             for (int row = 0; row < columns.rows(); row++) {
                 for (int column = 0; column < columns.columns(); column++) {
-                    assertThat(other.steps(height, column, row, 0)).isEqualTo(layer.steps(height, column, row, 0));
+                    assertThat(other.step(height, column, row, 0)).isEqualTo(layer.step(height, column, row, 0));
                 }
             }
         }

@@ -112,7 +112,7 @@ class FieldMarginTest {
                     examiner.examine(height, column, row).orElseThrow();
             int expected = IntStream.range(0, field.sensors().size())
                     .boxed()
-                    .sorted(Comparator.comparing((Integer sensor) -> -field.steps(sensor, height, column, row, course))
+                    .sorted(Comparator.comparing((Integer sensor) -> -field.step(sensor, height, column, row, course))
                             .thenComparing(sensor -> -field.cause(sensor, height, column, row, course)
                                     .ordinal())
                             .thenComparing(sensor ->
@@ -185,7 +185,7 @@ class FieldMarginTest {
             int[] codes = IntStream.range(0, courses)
                     .map(course -> {
                         int code = random.nextInt(different);
-                        return CellCode.of(code % 251, Cause.values()[code / 251], margin);
+                        return CellCode.of(code % 256, Cause.values()[code / 256], margin);
                     })
                     .toArray();
             byte[] pool = new byte[5 + CourseCodes.most(courses)];

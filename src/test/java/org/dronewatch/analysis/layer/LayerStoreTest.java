@@ -21,6 +21,7 @@ import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.cell.MarginCode;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.field.DetectableHeights;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
@@ -91,7 +92,7 @@ class LayerStoreTest {
                     for (int course = 0; course < field.courses().size(); course++) {
                         int column = cell % field.grid().columns();
                         int row = cell / field.grid().columns();
-                        text.append(field.steps(sensor, height, column, row, course))
+                        text.append(field.step(sensor, height, column, row, course))
                                 .append(field.cause(sensor, height, column, row, course))
                                 .append(field.margin(sensor, height, column, row, course));
                     }
@@ -210,7 +211,7 @@ class LayerStoreTest {
     @Test
     void impossibleSlicesAreRefused() {
         double[] z = {4.0, Double.NaN};
-        int code = CellCode.of(250, Cause.DETECTED, MarginCode.of(-3.2));
+        int code = CellCode.of(ProbabilityStep.CERTAIN, Cause.DETECTED, MarginCode.of(-3.2));
         byte[] pool = new byte[CourseCodes.most(2)];
         CourseCodes.put(pool, 0, new int[] {code, CellCode.of(10, Cause.TOO_WEAK, MarginCode.NO_SIGNAL)});
         new LayerSlice(2, z, new int[][] {{-1, code}}, new byte[][] {pool}).check(2, 1, 2);
@@ -220,7 +221,6 @@ class LayerStoreTest {
                 new LayerSlice(2, new double[3], new int[][] {{0, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{0, 0, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{0, 0}, {0, 0}}, new byte[][] {pool, pool}),
-                new LayerSlice(2, z, new int[][] {{251, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{12 << 8, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{1 << 24, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{Integer.MAX_VALUE, 0}}, new byte[][] {pool}),
@@ -228,8 +228,8 @@ class LayerStoreTest {
                 new LayerSlice(2, z, new int[][] {{Integer.MIN_VALUE, 0}}, new byte[][] {pool}),
                 new LayerSlice(2, z, new int[][] {{-1, 0}}, new byte[][] {cut}),
                 new LayerSlice(2, z, new int[][] {{-1, 0}}, new byte[][] {new byte[0]})));
-        // More codes than courses, a probability above 1, no such cause, no such margin, twice.
-        int[][] changes = {{0, 2}, {0, 255}, {1, 251}, {2, 12}, {3, 0xff}, {5, 0x20}};
+        // More codes than courses, no such cause, no such margin, twice.
+        int[][] changes = {{0, 2}, {0, 255}, {2, 12}, {3, 0xff}, {5, 0x20}};
         for (int[] change : changes) {
             byte[] changed = pool.clone();
             changed[change[0]] = (byte) change[1];

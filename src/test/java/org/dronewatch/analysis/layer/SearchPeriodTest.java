@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
-import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.drone.Drone;
@@ -118,8 +118,8 @@ class SearchPeriodTest {
             int column = cell % GRID.columns();
             int row = cell / GRID.columns();
             for (int course = 0; course < one.courses().size(); course++) {
-                int steps = one.steps(0, 0, column, row, course);
-                assertThat(steps).isEqualTo(other.steps(0, 0, column, row, course));
+                int steps = one.step(0, 0, column, row, course);
+                assertThat(steps).isEqualTo(other.step(0, 0, column, row, course));
                 assertThat(one.cause(0, 0, column, row, course)).isEqualTo(other.cause(0, 0, column, row, course));
                 seen += steps > 0 ? 1 : 0;
             }
@@ -217,10 +217,12 @@ class SearchPeriodTest {
                 }
                 starts += isDetected ? 1 : 0;
             }
-            assertThat(field.steps(0, 0, column, row, 0)).as("cell %d", cell).isEqualTo(CellCode.steps(starts / 720.0));
-            assertThat(longer.steps(0, 0, column, row, 0))
+            assertThat(field.step(0, 0, column, row, 0))
+                    .as("cell %d", cell)
+                    .isEqualTo(ProbabilityStep.of(starts / 720.0));
+            assertThat(longer.step(0, 0, column, row, 0))
                     .as("cell %d, in a whole period", cell)
-                    .isEqualTo(detected.isEmpty() ? 0 : CellCode.STEPS);
+                    .isEqualTo(detected.isEmpty() ? 0 : ProbabilityStep.CERTAIN);
             between += starts > 72 && starts < 648 ? 1 : 0;
         }
         assertThat(between).isGreaterThan(4);

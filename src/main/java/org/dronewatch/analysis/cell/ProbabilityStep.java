@@ -1,0 +1,62 @@
+package org.dronewatch.analysis.cell;
+
+/**
+ * The scale on which a field keeps probabilities, in a byte: 0 and 1 exactly, multiples of 1/250 between them, and
+ * five values below 1/250 that are a factor of 4 apart, down to 1/256,000. For results, the latter count as 1/250. They
+ * matter to sensors that look often: ten looks a second with a probability of 1/250 each detect nine of ten drones in
+ * a minute, with 1/4,000 only one in seven.
+ */
+public final class ProbabilityStep {
+    /** The step that stands for 1 alone; 0 stands for 0 alone. */
+    public static final int CERTAIN = 255;
+
+    private static final int EVEN = 250;
+
+    /** The number of steps between 0 and 1/250. */
+    private static final int SMALL = CERTAIN - EVEN;
+
+    private static final double FACTOR = 4.0;
+
+    private ProbabilityStep() {}
+
+    /** The step to which a probability is rounded; of those below 1/250, by its logarithm. */
+    public static int of(double probability) {
+        if (probability <= 0.0 || probability >= 1.0) {
+            return probability <= 0.0 ? 0 : CERTAIN;
+        }
+        if (probability >= 0.5 / EVEN) {
+            return SMALL + Math.max(1, Math.min(EVEN - 1, (int) Math.rint(EVEN * probability)));
+        }
+        int step = SMALL;
+        while (step > 1 && probability < least(step)) {
+            step--;
+        }
+        return step;
+    }
+
+    /** The probability that results state: that for which a step stands, but at least 1/250 unless it is 0. */
+    public static double stated(int step) {
+        return probability(step == 0 ? 0 : Math.max(SMALL + 1, step));
+    }
+
+    /** The probability for which a step stands. */
+    public static double probability(int step) {
+        if (step == 0 || step > SMALL) {
+            return (double) Math.max(0, step - SMALL) / EVEN;
+        }
+        return 1.0 / EVEN / Math.pow(FACTOR, SMALL + 1.0 - step);
+    }
+
+    /** The least probability that is rounded to a step; 0 for the first above 0, which has none. */
+    public static double least(int step) {
+        if (step <= 1 || step == CERTAIN) {
+            return step == CERTAIN ? 1.0 : 0.0;
+        }
+        return step > SMALL ? (step - SMALL - 0.5) / EVEN : 0.5 / EVEN / Math.pow(FACTOR, SMALL + 1.0 - step);
+    }
+
+    /** The first step at which a sensor covers a cell, if a probability of at least 1/250 is needed for it. */
+    public static int toCover(double covered) {
+        return SMALL + (int) Math.ceil(covered * EVEN - 1e-9);
+    }
+}
