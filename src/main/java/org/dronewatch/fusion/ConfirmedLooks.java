@@ -1,6 +1,6 @@
 package org.dronewatch.fusion;
 
-/** The latest looks of one sensor at one contact. One thread at a time. */
+/** The latest looks of one sensor at one contact. Not thread-safe. */
 public final class ConfirmedLooks {
     private final boolean[] last;
     private final int needed;

@@ -17,7 +17,7 @@ import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
  * Draws the view of a camera during a run. On a positioner, the camera points as it did at its last look, according to
- * the run's history; on a fixed mount, it needs no history. One thread at a time.
+ * the run's history; on a fixed mount, it needs no history. Not thread-safe.
  */
 public final class CameraView {
     /** Times that are equal but for rounding are the same look, as a fraction of the interval between looks. */

@@ -12,7 +12,7 @@ import org.dronewatch.run.Stage;
 
 /**
  * The history of one run for rendering: its site, and the pointings and detections at any time so far. It listens to a
- * single run. One thread at a time.
+ * single run. Not thread-safe.
  */
 public final class RunHistory implements SceneListener {
     private Optional<Stage> stage = Optional.empty();

@@ -12,7 +12,7 @@ import org.dronewatch.run.Stage;
 
 /**
  * The weakest routes past any layout of sensors; each sensor has been assessed by itself, since rates of independent
- * sensors add. Routes lead to the protected zone, like those of {@link SiteRoutes}. For one thread at a time.
+ * sensors add. Routes lead to the protected zone, like those of {@link SiteRoutes}. Not thread-safe.
  */
 public final class LayoutRoutes {
     private final RouteSite site;

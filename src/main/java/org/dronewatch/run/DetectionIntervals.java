@@ -12,7 +12,7 @@ import org.dronewatch.sensor.Observation;
 /**
  * The intervals during which each sensor holds a drone in one run, from the event in which the sensor gains it to that
  * in which it loses it. Times are times of reception: sound counts from its arrival at the sensor. Events are added in
- * order of time. One thread at a time.
+ * order of time. Not thread-safe.
  */
 public final class DetectionIntervals {
     private final Map<List<String>, List<DetectionEvent>> ofPairs = new HashMap<>();

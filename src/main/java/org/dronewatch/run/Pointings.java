@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.dronewatch.positioner.Pointing;
 
-/** A record of where the positioners of a run's sensors pointed. One thread at a time. */
+/** A record of where the positioners of a run's sensors pointed. Not thread-safe. */
 public final class Pointings {
     private final Map<String, TreeMap<Double, Pointing>> known = new HashMap<>();
     private final double interval;

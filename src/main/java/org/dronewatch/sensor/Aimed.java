@@ -1,6 +1,6 @@
 package org.dronewatch.sensor;
 
-/** Settings of a sensor that can be aimed. A capability: {@link SensorSettings#as}. */
+/** Settings of a sensor that can be aimed. This is a capability, queried by {@link SensorSettings#as}. */
 public interface Aimed {
 
     /** Its aim, in effect when no positioner turns it. */

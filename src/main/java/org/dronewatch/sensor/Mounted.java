@@ -7,8 +7,8 @@ import org.dronewatch.positioner.Positioner;
 import org.dronewatch.positioner.PositionerSettings;
 
 /**
- * Settings of a sensor that may be mounted on a positioner; one on a fixed mount has none. A capability:
- * {@link SensorSettings#as}.
+ * Settings of a sensor that may be mounted on a positioner; one on a fixed mount has none. This is a capability,
+ * queried by {@link SensorSettings#as}.
  */
 public interface Mounted {
 

@@ -3,7 +3,10 @@ package org.dronewatch.sensor;
 import java.util.Optional;
 import org.dronewatch.positioner.Pointing;
 
-/** Settings of a sensor whose field of view has a shape that can be drawn. A capability: {@link SensorSettings#as}. */
+/**
+ * Settings of a sensor whose field of view has a shape that can be drawn. This is a capability, queried by {@link
+ * SensorSettings#as}.
+ */
 public interface Outlined {
 
     /** The shape for the sensor's own aim. */

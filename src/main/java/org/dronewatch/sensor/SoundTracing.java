@@ -2,7 +2,7 @@ package org.dronewatch.sensor;
 
 /**
  * Settings of a sensor that traces sound through the site: the world's acoustic surfaces matter to it, and it may lie
- * on one. A capability: {@link SensorSettings#as}.
+ * on one. This is a capability, queried by {@link SensorSettings#as}.
  */
 public interface SoundTracing {
 

@@ -3,8 +3,8 @@ package org.dronewatch.sensor;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Settings of a sensor whose detection threshold can be fitted to a known detection range. A capability:
- * {@link SensorSettings#as}.
+ * Settings of a sensor whose detection threshold can be fitted to a known detection range. This is a capability,
+ * queried by {@link SensorSettings#as}.
  */
 public interface Thresholded {
 

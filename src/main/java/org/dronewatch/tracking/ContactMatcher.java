@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * Matches confirmed contacts of different sensors: decides which of them are one object, for rules that require several
  * sensors. It is a part of the association, and answers with other contacts alone: whoever asks does not learn what a
- * contact is. One thread at a time.
+ * contact is. Not thread-safe.
  */
 public interface ContactMatcher {
     /** Matches no contacts, for rules that one sensor can meet. */

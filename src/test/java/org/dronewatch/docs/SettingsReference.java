@@ -197,8 +197,9 @@ final class SettingsReference {
     private String standard(Object value) {
         if (value instanceof Double number) {
             return String.format(Locale.ROOT, "%.6g", number)
-                    .replaceAll("(\\.\\d*?)0+$", "$1")
-                    .replaceAll("\\.$", "");
+                    .replaceAll("(\\.\\d*?)0+(e|$)", "$1$2")
+                    .replaceAll("\\.(e|$)", "$1")
+                    .replaceAll("e\\+?(-?)0*", "e$1");
         }
         if (value instanceof Integer || value instanceof Long) {
             return value.toString();

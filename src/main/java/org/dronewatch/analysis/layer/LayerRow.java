@@ -16,7 +16,7 @@ import org.dronewatch.sensor.AssessmentBounds;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
 
-/** One row of cells of a {@link SensorLayer} while it is assessed. One thread at a time. */
+/** One row of cells of a {@link SensorLayer} while it is assessed. Not thread-safe. */
 public final class LayerRow {
     private final FieldProbe probe;
     private final Assessor assessor;

@@ -12,7 +12,7 @@ import org.dronewatch.setting.input.HeapBudget;
 
 /**
  * Collects the contents of a file for a {@link MeshReader}, and makes a model from them: places vertices, cuts polygons
- * into triangles, drops and counts triangles without area, and checks all limits. One thread at a time.
+ * into triangles, drops and counts triangles without area, and checks all limits. Not thread-safe.
  */
 public final class ModelCollector {
     /** Maximum number of triangles of a model. */

@@ -25,7 +25,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * The layouts of a plan against the weakest routes past them, once all candidates have been assessed: for the whole
- * budget and, starting from the routes that were found for it, for lower budgets. For one thread at a time.
+ * budget and, starting from the routes that were found for it, for lower budgets. Not thread-safe.
  */
 public final class RouteLayouts {
     private final PlacePlan plan;

@@ -20,7 +20,7 @@ import org.dronewatch.placement.SolverLimits;
  * Finds the greatest sum of values in the weakest row if there are too many rows to list: the best layout against the
  * rows found so far is given to an oracle, and the rows that it returns are added, until it finds no weaker row for the
  * layout (E. Israeli and R. K. Wood, Networks 40, 2002). Fewer rows are never harder to serve, so each round gives a
- * bound. For one thread at a time.
+ * bound. Not thread-safe.
  */
 public final class CuttingPlanes {
     /** The gap to which early rounds are solved: their layouts will change anyway. */

@@ -3,7 +3,7 @@ package org.dronewatch.render.film;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 
-/** Encodes images as a film. The same images give the same bytes. One thread at a time. */
+/** Encodes images as a film. The same images give the same bytes. Not thread-safe. */
 interface FilmEncoder {
     /**
      * Adds a frame; all have the size of the first.

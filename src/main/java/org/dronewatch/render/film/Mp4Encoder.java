@@ -27,9 +27,7 @@ import org.jcodec.containers.mp4.muxer.MP4Muxer;
 import org.jcodec.scale.AWTUtil;
 import org.jcodec.scale.RgbToYuv420p;
 
-/**
- * Encodes images as an MP4 video, H.264 at constant quality. The same images give the same bytes. One thread at a time.
- */
+/** Encodes images as an MP4 video, H.264 at constant quality. The same images give the same bytes. Not thread-safe. */
 final class Mp4Encoder implements FilmEncoder {
     /** Interval between key frames, in frames, so that players can seek. */
     private static final int KEY_INTERVAL = 25;

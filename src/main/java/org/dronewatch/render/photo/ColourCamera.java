@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  * show the drone, independently of these pictures.
  *
  * <p>The site without drones is exposed once and kept, so further pictures of a camera that does not move are cheap.
- * The pixels are the same for any number of {@link Workers}. One thread at a time.
+ * The pixels are the same for any number of {@link Workers}. Not thread-safe.
  */
 public final class ColourCamera {
     /** The largest number of parts into which a pixel is divided along each axis. */

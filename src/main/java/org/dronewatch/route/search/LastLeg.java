@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Turns the last leg of a path so that it arrives as early as it can: the bearing and the slope are changed in ever
- * smaller steps. The time is quasi-convex in both if the zone is convex. One use, one thread.
+ * smaller steps. The time is quasi-convex in both if the zone is convex. For a single use; not thread-safe.
  */
 final class LastLeg {
     private static final double FIRST = 0.2;

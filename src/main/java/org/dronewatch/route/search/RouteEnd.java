@@ -3,7 +3,7 @@ package org.dronewatch.route.search;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
-/** Where on a straight leg a route reaches its end. For one thread at a time. */
+/** Where on a straight leg a route reaches its end. Not thread-safe. */
 @FunctionalInterface
 public interface RouteEnd {
     /** A route ends only at a node, not on a leg between nodes. */

@@ -6,7 +6,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Ends a route as soon as it has arrived, and makes the last part, on which a detection is too late, as fast as
- * straight legs allow, not only legs between nodes. One thread at a time.
+ * straight legs allow, not only legs between nodes. Not thread-safe.
  */
 final class RouteFinish {
     /** How far inside the edge of a zone a route ends, so that rounding leaves it inside, m. */

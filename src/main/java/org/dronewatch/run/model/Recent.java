@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Function;
 
-/** Keeps the values that were used last, by their keys. For one thread at a time. */
+/** Keeps the values that were used last, by their keys. Not thread-safe. */
 final class Recent<K, V> {
     private final int most;
     private final Map<K, V> values = new LinkedHashMap<>(16, 0.75f, true);

@@ -7,9 +7,10 @@ import org.dronewatch.world.Weather;
 import org.dronewatch.world.World;
 
 /**
- * Settings of a sensor that may raise false alarms. A capability: {@link org.dronewatch.sensor.SensorSettings#as}. In a
- * run, a sensor whose rate is known reports false alarms at that rate, without any effect on its looks at drones. The
- * position of a false alarm in the field of view is given by numbers that are uniformly distributed from 0 to 1.
+ * Settings of a sensor that may raise false alarms. This is a capability, queried by {@link
+ * org.dronewatch.sensor.SensorSettings#as}. In a run, a sensor whose rate is known reports false alarms at that rate,
+ * without any effect on its looks at drones. The position of a false alarm in the field of view is given by numbers
+ * that are uniformly distributed from 0 to 1.
  */
 public interface FalseAlarming {
 

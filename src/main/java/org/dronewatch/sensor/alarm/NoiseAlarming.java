@@ -2,7 +2,7 @@ package org.dronewatch.sensor.alarm;
 
 /**
  * Settings of a sensor whose false alarms are noise above its threshold: their rate follows from the probability of one
- * in each cell of its field of view. A capability: {@link org.dronewatch.sensor.SensorSettings#as}.
+ * in each cell of its field of view. This is a capability, queried by {@link org.dronewatch.sensor.SensorSettings#as}.
  */
 public interface NoiseAlarming extends FalseAlarming {
     /**

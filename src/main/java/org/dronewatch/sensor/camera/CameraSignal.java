@@ -8,7 +8,7 @@ import org.dronewatch.sensor.optics.ImageSpeed;
 import org.dronewatch.world.Light;
 import org.dronewatch.world.World;
 
-/** The signal of a camera in a world, from the number of pixels that show a drone. One thread at a time. */
+/** The signal of a camera in a world, from the number of pixels that show a drone. Not thread-safe. */
 final class CameraSignal {
     private final CameraSettings settings;
     private final Beyond beyond;

@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
 /**
  * The rays of a {@link VisibleArea}: a bundle over the square around a drone's bounding sphere. What does not depend on
  * how the drone turns is found once for each ray and place: how many pixels it stands for, and whether the site is in
- * its way. One thread at a time.
+ * its way. Not thread-safe.
  */
 final class RayBundle {
     /**

@@ -17,7 +17,7 @@ import org.dronewatch.sensor.optics.SilhouetteArea;
 import org.dronewatch.sensor.optics.VisibleArea;
 import org.dronewatch.world.Obstacle;
 
-/** Bounds on the assessments of a thermal camera, from bounds on a drone's area. One thread at a time. */
+/** Bounds on the assessments of a thermal camera, from bounds on a drone's area. Not thread-safe. */
 final class ThermalBounds {
     private static final Position AT_REST = new Position(0, 0, 0);
 

@@ -39,7 +39,7 @@ import org.dronewatch.world.World;
  * pairs that it resolves is half the square root of the number of the drone's pixels, and lower if the signal is weak:
  * {@code N = sqrt(pixels) / 2 * (1 - minSnr / SNR)}. It is lower still where the lens and the air ({@link
  * ImageTransfer#resolved}) or motion ({@link ImageSpeed}) blur the image. With {@link PointTargets}, the drone need not
- * be resolved. One thread at a time.
+ * be resolved. Not thread-safe.
  */
 public final class ThermalSensor implements BoundingSensor {
     private final ThermalSettings settings;

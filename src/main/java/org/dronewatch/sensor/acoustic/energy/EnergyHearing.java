@@ -27,7 +27,7 @@ import org.dronewatch.world.World;
 
 /**
  * A microphone in the energy model: it measures the A-weighted sound pressure level, or the signal-to-noise ratio of
- * the best band. One thread at a time.
+ * the best band. Not thread-safe.
  */
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";

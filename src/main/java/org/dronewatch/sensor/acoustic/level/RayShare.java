@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.level;
 
 /**
  * Single rays that were traced, and how many of them were heard: what that says about a number of such rays in a look.
- * One thread at a time.
+ * Not thread-safe.
  */
 final class RayShare {
     private final int number;
