@@ -47,6 +47,16 @@ public interface PlacedLayout {
      */
     List<PlaceStep> purchases();
 
+    /** The value of the layout under each condition, by name; empty if only the scene as it is counts. */
+    default Map<String, Double> byCondition() {
+        return Map.of();
+    }
+
+    /** The value of the layout in the scene as it is. */
+    default double asItIs() {
+        return value();
+    }
+
     /** The sensors of the layout, in the order of the file. */
     default List<SiteCandidate> chosen() {
         return result().chosen().stream().map(plan().candidates()::get).toList();

@@ -60,7 +60,7 @@ public record SitePlacement(
         return DoubleStream.of(problem.sums(layout)).map(sum -> sum / rows).toArray();
     }
 
-    /** The fraction of the airspace that the layout covers under each condition, by name, if there are any. */
+    @Override
     public Map<String, Double> byCondition() {
         Map<String, Double> byName = new LinkedHashMap<>();
         double[] fractions = byCondition(result.chosen());
@@ -70,7 +70,7 @@ public record SitePlacement(
         return byName;
     }
 
-    /** The fraction of the airspace that the layout covers in the scene as it is. */
+    @Override
     public double asItIs() {
         return byCondition(result.chosen())[0];
     }

@@ -1,20 +1,18 @@
 package org.dronewatch.placement.site;
 
-import java.util.List;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.IntConsumer;
-import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.field.InboundWarnings;
-import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 
@@ -28,6 +26,7 @@ final class WarningFlights {
     private static final double CELLS = 50.0;
 
     private final PlacePlan plan;
+    private final SceneSettings scene;
     private final Stage stage;
     private final LayerStore store;
     private final FieldGrid grid;
@@ -35,10 +34,14 @@ final class WarningFlights {
     /**
      * The flights of a plan.
      *
+     * @param scene the scene as it is, or under a condition
+     * @param stage of that
+     * @param store of assessments that were made before
      * @throws InputException when the scene has no protected zone, or the cells are too many
      */
-    WarningFlights(PlacePlan plan, Stage stage, LayerStore store) {
+    WarningFlights(PlacePlan plan, SceneSettings scene, Stage stage, LayerStore store) {
         this.plan = plan;
+        this.scene = scene;
         this.stage = stage;
         this.store = store;
         if (stage.protection().isEmpty()) {
@@ -81,34 +84,14 @@ final class WarningFlights {
         return (long) size() * grid.columns() / 2;
     }
 
-    /** The warnings of some sensors. */
+    /** The warnings of some sensors, but for those that the condition switches off. */
     InboundWarnings of(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
+        Map<String, SensorSettings<?>> here = new LinkedHashMap<>(sensors);
+        here.keySet().removeAll(scene.disabled());
+        // A condition may change the scene's own sensors; the names of all others are new.
+        here.replaceAll((name, sensor) -> scene.sensors().getOrDefault(name, sensor));
         AirSettings air = plan.settings().air();
         return InboundWarnings.of(
-                Layout.alone(plan.present(), sensors),
-                stage,
-                plan.drone(),
-                grid,
-                air.terms(),
-                air.covered(),
-                store,
-                progress);
-    }
-
-    /**
-     * A column with a row for each flight of which there is a warning.
-     *
-     * @param isShort whether its value is by how much the warning is shorter than the longest, instead of the warning
-     */
-    static CandidateColumn column(InboundWarnings warnings, boolean isShort) {
-        List<Warning> all = warnings.all();
-        int[] detected = IntStream.range(0, all.size())
-                .filter(flight -> all.get(flight).time().isPresent())
-                .toArray();
-        double[] values = IntStream.of(detected)
-                .mapToDouble(flight -> all.get(flight).time().getAsDouble())
-                .map(time -> isShort ? Math.max(0.0, warnings.longest() - time) : time)
-                .toArray();
-        return new CandidateColumn(detected, values);
+                Layout.alone(scene, here), stage, plan.drone(), grid, air.terms(), air.covered(), store, progress);
     }
 }

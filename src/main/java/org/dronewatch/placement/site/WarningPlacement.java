@@ -1,12 +1,14 @@
 package org.dronewatch.placement.site;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
@@ -23,8 +25,8 @@ import org.dronewatch.placement.plan.WarningMeasure;
  * @param plan what was asked for
  * @param grid the cells; the length of their sides is the step of the flights
  * @param longest the longest warning that can be found, that of a flight detected where it begins, s
- * @param problem the problem, with a row for each flight; for the worst warning, its values are the amounts by which
- *     warnings are shorter than the longest
+ * @param problem the problem, with a row for each flight, under several conditions once for each of them; for the worst
+ *     warning, its values are the amounts by which warnings are shorter than the longest
  * @param result result of the search, in the values of the problem
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
  *     before they were assessed
@@ -49,9 +51,57 @@ public record WarningPlacement(
         return plan.settings().warning();
     }
 
-    /** The number of flights. */
+    /** The number of flights, which are the same under each condition. */
     public int flights() {
-        return problem.table().rows();
+        return problem.table().rows() / (1 + plan.conditions().size());
+    }
+
+    /**
+     * The warning of each flight, by condition, by the sensor that counts: the first, or a later one that must confirm
+     * it, s.
+     */
+    double[] warnings(List<Integer> layout) {
+        int fold = problem.conditions().fold();
+        double[][] times = new double[problem.table().rows()][fold];
+        for (int candidate : layout) {
+            CandidateColumn column = problem.table().column(candidate);
+            for (int at = 0; at < column.size(); at++) {
+                double warning = measure() == WarningMeasure.WORST ? longest - column.value(at) : column.value(at);
+                double[] its = times[column.row(at)];
+                // In ascending order, so that the first is the one that counts.
+                if (warning > its[0]) {
+                    its[0] = warning;
+                    Arrays.sort(its);
+                }
+            }
+        }
+        return Arrays.stream(times).mapToDouble(its -> its[0]).toArray();
+    }
+
+    /** The warning that the layout gives in the scene as it is, and under each condition, s. */
+    private List<Double> inScenes() {
+        double[] all = warnings(result.chosen());
+        List<Double> values = new ArrayList<>();
+        for (int start = 0; start < all.length; start += flights()) {
+            DoubleStream its = Arrays.stream(all, start, start + flights());
+            values.add((measure() == WarningMeasure.WORST ? its.min() : its.average()).orElse(0.0));
+        }
+        return values;
+    }
+
+    @Override
+    public Map<String, Double> byCondition() {
+        List<Double> values = inScenes();
+        Map<String, Double> byName = new LinkedHashMap<>();
+        for (int number = 1; number < values.size(); number++) {
+            byName.put(plan.conditions().get(number - 1).name(), values.get(number));
+        }
+        return byName;
+    }
+
+    @Override
+    public double asItIs() {
+        return inScenes().get(0);
     }
 
     private double seconds(double value) {
@@ -75,17 +125,20 @@ public record WarningPlacement(
         return seconds(problem.value(candidates));
     }
 
-    /** The number of flights for which the layout gives some warning before the drone arrives. */
+    /**
+     * The number of flights for which the layout gives some warning before the drone arrives, under every condition.
+     */
     public long detected() {
-        boolean[] isDetected = new boolean[flights()];
+        boolean[] isDetected = new boolean[problem.table().rows()];
         for (int one : result.chosen()) {
             CandidateColumn column = problem.table().column(one);
             for (int at = 0; at < column.size(); at++) {
                 isDetected[column.row(at)] = true;
             }
         }
-        return IntStream.range(0, isDetected.length)
-                .filter(flight -> isDetected[flight])
+        return IntStream.range(0, flights())
+                .filter(flight -> IntStream.iterate(flight, row -> row < isDetected.length, row -> row + flights())
+                        .allMatch(row -> isDetected[row]))
                 .count();
     }
 

@@ -31,7 +31,7 @@ import org.dronewatch.setting.Quantity;
 /** Finds the layout of a plan that gives the longest warning of drones that fly straight to the protected zone. */
 public final class WarningSearch {
     private final PlacePlan plan;
-    private final WarningFlights flights;
+    private final ConditionedFlights flights;
     private final PlacementSolver solver;
     private final boolean isWorst;
 
@@ -45,12 +45,8 @@ public final class WarningSearch {
     public WarningSearch(PlacePlan plan, Stage stage, LayerStore store, PlacementSolver solver) {
         this.plan = plan;
         this.solver = solver;
-        this.flights = new WarningFlights(plan, stage, store);
+        this.flights = new ConditionedFlights(plan, stage, store);
         this.isWorst = plan.settings().warning() == WarningMeasure.WORST;
-        if (!plan.conditions().isEmpty()) {
-            throw new InputException("air.conditions: has no meaning for the objective warning-time: flights are"
-                    + " assessed in the scene as it is");
-        }
     }
 
     /** The approximate number of cells at which sensors have to be assessed. */
@@ -68,12 +64,13 @@ public final class WarningSearch {
      * @throws CancellationException when this thread is interrupted before any candidate is assessed
      */
     public WarningPlacement found(SolverLimits limits, IntConsumer progress, Runnable assessed) {
-        List<InboundWarnings> warnings = new ArrayList<>();
+        List<List<InboundWarnings>> warnings = new ArrayList<>();
         boolean isWhole = assess(warnings, progress);
         Map<String, SensorSettings<?>> own = plan.present().enabledSensors();
-        Optional<InboundWarnings> present = isWhole && !own.isEmpty() ? together(own, progress) : Optional.empty();
+        Optional<List<InboundWarnings>> present =
+                isWhole && !own.isEmpty() ? together(own, progress) : Optional.empty();
         assessed.run();
-        double longest = warnings.get(0).longest();
+        double longest = ConditionedFlights.longest(warnings.get(0));
         PlacementProblem problem = problem(warnings, longest);
         SolverLimits within = isWhole ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
         PlacementResult result = solver.solve(problem, within).orElseThrow(this::impossible);
@@ -85,7 +82,7 @@ public final class WarningSearch {
                 longest,
                 problem,
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
-                present.map(all -> new PresentLayout(own.size(), seconds(all))),
+                present.map(all -> new PresentLayout(own.size(), ConditionedFlights.seconds(all, isWorst))),
                 isComplete);
     }
 
@@ -101,11 +98,11 @@ public final class WarningSearch {
      * @return empty if the layout has no sensor, or this thread is interrupted; it then stays interrupted
      */
     public Optional<LayoutWarnings> compared(WarningPlacement placement, IntConsumer progress) {
-        return LayoutWarnings.of(placement, flights, progress);
+        return LayoutWarnings.of(placement, flights.asItIs(), progress);
     }
 
     /** Assesses each candidate by itself; gives whether it was not interrupted after the first. */
-    private boolean assess(List<InboundWarnings> warnings, IntConsumer progress) {
+    private boolean assess(List<List<InboundWarnings>> warnings, IntConsumer progress) {
         try {
             plan.candidates().forEach(one -> warnings.add(flights.of(Map.of(one.name(), one.sensor()), progress)));
             return true;
@@ -117,7 +114,7 @@ public final class WarningSearch {
         }
     }
 
-    private Optional<InboundWarnings> together(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
+    private Optional<List<InboundWarnings>> together(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
         try {
             return Optional.of(flights.of(sensors, progress));
         } catch (CancellationException e) {
@@ -125,31 +122,36 @@ public final class WarningSearch {
         }
     }
 
-    /** The worst or the mean warning, s. */
-    private double seconds(InboundWarnings warnings) {
-        var times = warnings.all().stream().mapToDouble(one -> one.time().orElse(0.0));
-        OptionalDouble value = isWorst ? times.min() : times.average();
-        return value.orElse(0.0);
-    }
-
-    private PlacementProblem problem(List<InboundWarnings> warnings, double longest) {
+    private PlacementProblem problem(List<List<InboundWarnings>> warnings, double longest) {
         List<Candidate> candidates =
                 plan.candidates().stream().map(SiteCandidate::candidate).toList();
         List<CandidateColumn> columns = new ArrayList<>();
         for (int candidate = 0; candidate < candidates.size(); candidate++) {
             columns.add(
                     candidate < warnings.size()
-                            ? WarningFlights.column(warnings.get(candidate), isWorst)
+                            ? ConditionedFlights.column(
+                                    warnings.get(candidate),
+                                    isWorst ? OptionalDouble.of(longest) : OptionalDouble.empty())
                             : new CandidateColumn(new int[0], new double[0]));
         }
         double[] weights = new double[flights.size()];
-        Arrays.fill(weights, 1.0 / weights.length);
+        Arrays.fill(weights, 1.0 / flights.asItIs().size());
         double[] undetected = new double[weights.length];
         Arrays.fill(undetected, longest);
+        CandidateTable table = new CandidateTable(candidates, columns, weights, undetected);
+        boolean isGrouped = !isWorst && !plan.conditions().isEmpty();
         return new PlacementProblem(
-                new CandidateTable(candidates, columns, weights, undetected),
-                isWorst ? PlacementObjective.WORST_IMPACT : PlacementObjective.COVERED_WEIGHT,
-                conditions(longest));
+                isGrouped ? table.withGroups(flights.conditions()) : table, objective(), conditions(longest));
+    }
+
+    /** The worst condition counts; the worst of all flights is also that under the worst condition. */
+    private PlacementObjective objective() {
+        if (isWorst) {
+            return PlacementObjective.WORST_IMPACT;
+        }
+        return plan.conditions().isEmpty()
+                ? PlacementObjective.COVERED_WEIGHT
+                : PlacementObjective.LEAST_COVERED_WEIGHT;
     }
 
     private PlacementConditions conditions(double longest) {

@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.InboundWarnings;
-import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.plan.WarningMeasure;
 
 /** The warnings of flights by the eighths of the compass from which they come. */
@@ -20,7 +19,7 @@ final class WarningSectors {
     /**
      * The flights of a placement.
      *
-     * @param placement with a row for each flight: by height, then by bearing
+     * @param placement with a row for each flight: by condition, then by height, then by bearing
      */
     WarningSectors(WarningPlacement placement) {
         this.placement = placement;
@@ -48,16 +47,19 @@ final class WarningSectors {
                 : Optional.empty();
     }
 
-    /** The mean or the worst warning of the flights from each eighth, s. */
+    /** The mean or the worst warning of the flights from each eighth, under the condition that is worst there, s. */
     private double[] bySector(List<Integer> layout) {
-        double[] warnings = warnings(layout);
+        double[] warnings = placement.warnings(layout);
         double[] values = new double[SECTORS];
-        for (int sector = 0; sector < SECTORS; sector++) {
-            int its = sector;
-            DoubleStream flights = IntStream.range(0, warnings.length)
-                    .filter(row -> sector(row) == its)
-                    .mapToDouble(row -> warnings[row]);
-            values[sector] = (isWorst ? flights.min() : flights.average()).orElse(0.0);
+        Arrays.fill(values, Double.POSITIVE_INFINITY);
+        for (int start = 0; start < warnings.length; start += placement.flights()) {
+            for (int sector = 0; sector < SECTORS; sector++) {
+                int its = sector;
+                DoubleStream flights = IntStream.range(start, start + placement.flights())
+                        .filter(row -> sector(row) == its)
+                        .mapToDouble(row -> warnings[row]);
+                values[sector] = Math.min(values[sector], (isWorst ? flights.min() : flights.average()).orElse(0.0));
+            }
         }
         return values;
     }
@@ -65,24 +67,5 @@ final class WarningSectors {
     private static int sector(int row) {
         double turns = (double) (row % InboundWarnings.BEARINGS) / InboundWarnings.BEARINGS;
         return (int) Math.floorMod(Math.round(turns * SECTORS), (long) SECTORS);
-    }
-
-    /** The warning of each flight by the sensor that counts: the first, or a later one that must confirm it, s. */
-    private double[] warnings(List<Integer> layout) {
-        int fold = placement.problem().conditions().fold();
-        double[][] longest = new double[placement.flights()][fold];
-        for (int candidate : layout) {
-            CandidateColumn column = placement.problem().table().column(candidate);
-            for (int at = 0; at < column.size(); at++) {
-                double warning = isWorst ? placement.longest() - column.value(at) : column.value(at);
-                double[] its = longest[column.row(at)];
-                // In ascending order, so that the first is the one that counts.
-                if (warning > its[0]) {
-                    its[0] = warning;
-                    Arrays.sort(its);
-                }
-            }
-        }
-        return Arrays.stream(longest).mapToDouble(its -> its[0]).toArray();
     }
 }

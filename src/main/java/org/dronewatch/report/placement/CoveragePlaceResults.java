@@ -3,14 +3,11 @@ package org.dronewatch.report.placement;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
-import org.dronewatch.report.file.Numbers;
 import org.dronewatch.run.Stage;
-import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
@@ -54,18 +51,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
 
     @Override
     public ObjectNode toJson() {
-        return PlaceFile.of(this, terms -> {}, this::addConditions, more -> {});
-    }
-
-    /** Adds what the layout covers as the scene is and under each condition, if there are any. */
-    private void addConditions(ObjectNode root) {
-        Map<String, Double> fractions = best().byCondition();
-        if (!fractions.isEmpty()) {
-            root.put("as_it_is", Numbers.rounded(best().asItIs()));
-            ArrayNode conditions = root.putArray("conditions");
-            fractions.forEach((name, fraction) ->
-                    conditions.addObject().put("name", name).put("value", Numbers.rounded(fraction)));
-        }
+        return PlaceFile.of(this, terms -> {}, PlaceFile.conditions(best()), more -> {});
     }
 
     @Override

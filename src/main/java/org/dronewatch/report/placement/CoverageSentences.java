@@ -3,8 +3,6 @@ package org.dronewatch.report.placement;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
@@ -28,26 +26,11 @@ final class CoverageSentences {
     List<String> lines() {
         PlaceTable table = new PlaceTable(best, results.measure());
         List<String> lines = new ArrayList<>(List.of(worth()));
-        byCondition().ifPresent(lines::add);
+        table.byCondition().ifPresent(lines::add);
         results.fields().ifPresent(fields -> lines.add(together(fields)));
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
         return lines;
-    }
-
-    /** What the layout covers under each condition; empty without conditions. */
-    private Optional<String> byCondition() {
-        Map<String, Double> fractions = best.byCondition();
-        if (fractions.isEmpty()) {
-            return Optional.empty();
-        }
-        StringBuilder text =
-                new StringBuilder("In the scene as it is, it covers ").append(FrontWords.percent(best.asItIs()));
-        fractions.forEach((name, fraction) -> text.append("; under the condition '")
-                .append(name)
-                .append("', ")
-                .append(FrontWords.percent(fraction)));
-        return Optional.of(text.append(". The least of these counts.").toString());
     }
 
     private String together(LayoutFields fields) {

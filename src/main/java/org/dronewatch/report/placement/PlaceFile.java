@@ -59,6 +59,19 @@ final class PlaceFile {
         return root;
     }
 
+    /** Adds the value of a layout in the scene as it is and under each condition, if there are any. */
+    static Consumer<ObjectNode> conditions(PlacedLayout layout) {
+        return root -> {
+            Map<String, Double> values = layout.byCondition();
+            if (!values.isEmpty()) {
+                root.put("as_it_is", Numbers.rounded(layout.asItIs()));
+                ArrayNode conditions = root.putArray("conditions");
+                values.forEach((name, value) ->
+                        conditions.addObject().put("name", name).put("value", Numbers.rounded(value)));
+            }
+        };
+    }
+
     /** Adds the layout of today: the number of its sensors and its value; neither where the scene has no sensors. */
     private static void present(ObjectNode root, PlacedLayout layout) {
         ObjectNode present = root.putObject("present");

@@ -69,6 +69,21 @@ final class PlaceTable {
                         "The scene's own " + counted(own) + " " + measure.claim(own.sensors() == 1, own.value()) + ".");
     }
 
+    /** What the layout achieves under each condition, in sentences; empty without conditions. */
+    Optional<String> byCondition() {
+        Map<String, Double> values = layout.byCondition();
+        if (values.isEmpty()) {
+            return Optional.empty();
+        }
+        StringBuilder text =
+                new StringBuilder("In the scene as it is, it ").append(measure.claim(true, layout.asItIs()));
+        values.forEach((name, value) -> text.append("; under the condition '")
+                .append(name)
+                .append("', ")
+                .append(measure.text(value)));
+        return Optional.of(text.append(". The least of these counts.").toString());
+    }
+
     /** {@code 4 sensors}, or {@code sensor} for a single one, after a possessive. */
     static String counted(PresentLayout own) {
         return own.sensors() == 1 ? "sensor" : Counted.of(own.sensors(), "sensor");

@@ -46,6 +46,7 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
         List<String> lines = new ArrayList<>(table.lines());
         lines.add("");
         lines.add(new WarningSentences(best(), measure()).worth());
+        table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
         lines.addAll(new FrontWords(measure()).lines(front.points()));
@@ -67,7 +68,7 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
 
     @Override
     public ObjectNode toJson() {
-        return PlaceFile.of(this, this::addMeasure, values -> {}, this::addFlights);
+        return PlaceFile.of(this, this::addMeasure, PlaceFile.conditions(best()), this::addFlights);
     }
 
     private void addMeasure(ObjectNode root) {

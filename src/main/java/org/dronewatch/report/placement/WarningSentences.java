@@ -31,7 +31,8 @@ final class WarningSentences {
     /** How many flights the layout detects at all, and the longest warning that can be found. */
     String detected() {
         return "The layout detects " + best.detected() + " of " + Counted.of(best.flights(), "flight")
-                + " before they arrive; the warning of one that is detected where it begins is at most "
+                + " before they arrive" + (best.byCondition().isEmpty() ? "" : ", under every condition")
+                + "; the warning of one that is detected where it begins is at most "
                 + measure.text(best.longest()) + ".";
     }
 }
