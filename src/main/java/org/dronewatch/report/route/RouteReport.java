@@ -63,7 +63,7 @@ final class RouteReport {
             page.add(Html.figure(figure.png(), figure.caption()));
         }
         if (!results.proofs().isEmpty()) {
-            page.section("Proof by flight", proofs());
+            page.section("Check by flight", proofs());
         }
         SensorTables sensors = new SensorTables(inputs.settings());
         page.section("Sensors", sensors.sensors());
