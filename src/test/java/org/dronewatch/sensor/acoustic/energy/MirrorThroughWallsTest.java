@@ -317,6 +317,28 @@ class MirrorThroughWallsTest {
         return cell * size + (cell % 2 == 0 ? at : size - at);
     }
 
+    /**
+     * The same room half a metre above the ground, so that sound also passes through it to the ground and back. An
+     * independent random walk, whose rays were counted in a ball of 0.4 m about the inner end, found 73.37 dB in the
+     * lowest band, standard error 0.013 dB.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aRoomAboveTheGroundAgreesWithARandomWalk(boolean isExchanged) {
+        SurfaceMaterial wall = SurfaceMaterial.uniform("wall", 0.6, 0.0).withTransmissionLoss(3.0103, Wall.SHEET);
+        World world =
+                Sites.world(List.of(Sites.square(100, 0), Sites.box(-3, -2.5, 0.5, 2, 3, 4)), List.of(GROUND, wall));
+        Position outside = new Position(-7, 1, 3);
+        Position inside = new Position(0.3, 0.4, 1.6);
+        EnergyReading reading = Sites.read(
+                MODEL.withAccuracy(0).withRays(5000),
+                world,
+                Sites.broadband(isExchanged ? inside : outside),
+                isExchanged ? outside : inside,
+                SEED);
+        assertThat(reading.level(Sites.LOWEST)).isCloseTo(73.37, within(0.06));
+    }
+
     private static Box slab(double from, double to, double bottom, double top, SurfaceMaterial surface, double loss) {
         return new Box(new Position(from, -40, bottom), new Position(to, 40, top), surface, loss);
     }
