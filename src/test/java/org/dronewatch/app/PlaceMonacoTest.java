@@ -1,0 +1,168 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronewatch.LongForm;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.placement.route.WeakestRouteSearch;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** In Monaco: the chosen layout, run by other commands, gives the figures that {@code place} promised. */
+class PlaceMonacoTest {
+    /** All numbers in files have six decimals. */
+    private static final double ROUNDING = 1e-6;
+
+    private static final Path SCENES = Path.of("scenes");
+
+    @TempDir
+    private Path directory;
+
+    @BeforeEach
+    void copyScene() throws IOException {
+        assumeTrue(LongForm.IS_ON, "assesses 17 candidates over Monaco");
+        Files.copy(SCENES.resolve("palace.yaml"), directory.resolve("palace.yaml"));
+        Files.copy(SCENES.resolve("two-radars.campaign.yaml"), directory.resolve("attacks.campaign.yaml"));
+    }
+
+    /** Runs the packaged placement with other lines in place of its conditions and its airspace. */
+    private Outcome place(String lines, String... more) throws IOException {
+        String packaged = Files.readString(SCENES.resolve("palace.place.yaml"));
+        String start = packaged.substring(0, packaged.indexOf("conditions:"));
+        Path file = Files.writeString(directory.resolve("here.place.yaml"), start + lines);
+        List<String> words = new ArrayList<>(List.of("place", file.toString(), "--budgets=1", "--out=" + directory));
+        words.addAll(List.of(more));
+        Outcome place = Program.run(words.toArray(String[]::new));
+        assertThat(place.code()).as(place.err()).isZero();
+        return place;
+    }
+
+    /** Runs the command that is printed for the layout. */
+    private JsonNode again(String command, Outcome place, String... more) {
+        Matcher printed =
+                Pattern.compile("'(" + command + " layout.yaml .*?)' gives").matcher(place.out());
+        assertThat(printed.find()).as(place.out()).isTrue();
+        List<String> words = new ArrayList<>();
+        for (String word : printed.group(1).split(" ")) {
+            words.add(word.endsWith(".yaml") ? directory.resolve(word).toString() : word);
+        }
+        words.add("--json");
+        words.addAll(List.of(more));
+        Outcome again = Program.run(words.toArray(String[]::new));
+        assertThat(again.code()).as(again.err()).isZero();
+        return JsonMapper.builder().build().readTree(again.out());
+    }
+
+    private JsonNode promised() {
+        return JsonMapper.builder()
+                .build()
+                .readTree(directory.resolve("place.json").toFile());
+    }
+
+    @Test
+    void coverage() throws IOException {
+        Outcome place = place("air: {side: 1500 m, cell: 75 m, heights: [30 m, 60 m, 120 m], heading: inbound}\n");
+        double known = 0.0;
+        double covered = 0.0;
+        for (JsonNode height : again("coverage", place).get("heights")) {
+            known += height.get("known").asDouble();
+            covered +=
+                    height.get("covered_share").asDouble() * height.get("known").asDouble();
+        }
+
+        assertThat(covered / known).isBetween(0.5, 0.999);
+        assertThat(promised().get("value").asDouble()).isCloseTo(covered / known, within(ROUNDING));
+    }
+
+    @Test
+    void warnings() throws IOException {
+        for (String measure : List.of("mean", "worst")) {
+            Outcome place = place("objective: warning-time\nwarning: " + measure
+                    + "\nair: {side: 1500 m, cell: 25 m, heights: [30 m, 60 m, 120 m]}\n");
+            double sum = 0.0;
+            double least = Double.MAX_VALUE;
+            JsonNode flights = again("coverage", place).get("warning");
+            for (JsonNode flight : flights) {
+                double time = flight.get("warning_s").isNull()
+                        ? 0.0
+                        : flight.get("warning_s").asDouble();
+                sum += time;
+                least = Math.min(least, time);
+            }
+
+            assertThat(flights.size()).isEqualTo(promised().get("flights").asInt());
+            assertThat(promised().get("value").asDouble())
+                    .isCloseTo(measure.equals("mean") ? sum / flights.size() : least, within(ROUNDING));
+            assertThat(sum).isPositive();
+        }
+    }
+
+    /** The exposure before which there is time to respond, as the search promises it, and as the routes are flown. */
+    @Test
+    void weakestRoute() throws IOException {
+        for (String budget : List.of("45000", "85000")) {
+            Outcome place = place(
+                    "objective: weakest-route\nair: {side: 1200 m, cell: 60 m, heights: [20 m, 60 m, 120 m]}\n",
+                    "--budget=" + budget);
+            JsonNode routes = again("route", place, "--out=" + directory.resolve("routes-" + budget))
+                    .get("routes");
+            double least = Double.MAX_VALUE;
+            for (int sector = 0; sector < routes.size(); sector++) {
+                JsonNode route = routes.get(sector);
+                JsonNode flown = promised().get("flown").get(sector);
+                least = Math.min(least, route.get("upper").asDouble());
+                assertThat(flown.get("sector")).isEqualTo(route.get("sector"));
+                assertThat(flown.get("layout").asDouble())
+                        .isCloseTo(route.get("p_in_time").asDouble(), within(ROUNDING));
+            }
+
+            assertThat(routes.size()).isEqualTo(8);
+            assertThat(promised().get("route").get("exposure").asDouble())
+                    .isCloseTo(least, within(1e-3 * least + ROUNDING));
+            assertThat(promised().get("value").asDouble())
+                    .isCloseTo(Math.min(least, WeakestRouteSearch.ENOUGH), within(1e-3 * least + ROUNDING));
+        }
+    }
+
+    /** The page's example: the same attacks against the layout and against the four radars of today. */
+    @Test
+    void attacks() throws IOException {
+        String packaged = Files.readString(SCENES.resolve("palace.place.yaml"));
+        Outcome place = place(
+                packaged.substring(packaged.indexOf("conditions:")),
+                "--campaign=" + directory.resolve("attacks.campaign.yaml"),
+                "--runs=200");
+        JsonNode again = again("compare", place);
+        JsonNode attacks = promised().get("campaign");
+
+        assertThat(attacks.get("variants").get("layout"))
+                .isEqualTo(again.get("variants").get("layout"));
+        assertThat(attacks.get("variants").get("today"))
+                .isEqualTo(again.get("variants").get("palace"));
+        String page = Files.readString(Path.of("src", "site", "markdown", "placement.md"));
+        Matcher shares = Pattern.compile("\\d+\\.\\d \\(\\d+\\.\\d to \\d+\\.\\d\\)$", Pattern.MULTILINE)
+                .matcher(place.out());
+        assertThat(shares.results())
+                .hasSize(2)
+                .allMatch(share -> page.contains(share.group().replaceFirst(" ", " % ")));
+        assertThat(page)
+                .contains(place.out()
+                        .lines()
+                        .filter(line -> line.startsWith("in time: layout - today"))
+                        .map(line -> line.replaceFirst(".* today = ", "").replaceFirst("\\), .*", ")"))
+                        .findFirst()
+                        .orElseThrow());
+    }
+}
