@@ -47,12 +47,27 @@ final class SceneWindow {
      * @throws RuntimeException the error with which the last run ended, unless the window was closed meanwhile
      */
     void show(Viewer.Subject first, Consumer<Viewer> begun) {
+        show(first, begun, Optional.empty());
+    }
+
+    /**
+     * Opens the window, as {@link #show(Viewer.Subject, Consumer)}, and runs a second scene for comparison after the
+     * first.
+     *
+     * @param beside the second scene; empty for none
+     */
+    void show(Viewer.Subject first, Consumer<Viewer> begun, Optional<Viewer.Subject> beside) {
         Optional<RuntimeException> failure = Optional.empty();
         try (Viewer viewer = Viewer.open(
                 first, threads, scene -> runner(scene, first.runner().store()))) {
             begun.accept(viewer);
+            Optional<Viewer.Subject> second = beside;
             for (Optional<Viewer.Subject> shown = Optional.of(first); shown.isPresent(); shown = viewer.awaitNext()) {
                 failure = run(viewer, shown.get().runner());
+                if (second.isPresent() && failure.isEmpty()) {
+                    failure = runBeside(viewer, second.get());
+                }
+                second = Optional.empty();
             }
         }
         if (failure.isPresent()) {
@@ -67,14 +82,26 @@ final class SceneWindow {
 
     /** Runs a scene for a window; returns the error, unless the window is closed. */
     private Optional<RuntimeException> run(Viewer viewer, SceneRunner runner) {
-        runner.notes(line -> {
-                    notes.accept(line);
-                    viewer.note(line);
-                })
-                .listener(viewer.listener())
-                .cancelWhen(viewer::isLeft);
+        takeNotes(viewer, runner).listener(viewer.listener()).cancelWhen(viewer::isLeft);
+        return run(viewer, () -> viewer.finished(runner.run().complete()));
+    }
+
+    /** Runs another scene beside the one that is shown; returns the error, unless the window is closed. */
+    private Optional<RuntimeException> runBeside(Viewer viewer, Viewer.Subject other) {
+        SceneRunner runner = takeNotes(viewer, other.runner());
+        return run(viewer, () -> viewer.runBeside(other.scene().name(), runner));
+    }
+
+    private SceneRunner takeNotes(Viewer viewer, SceneRunner runner) {
+        return runner.notes(line -> {
+            notes.accept(line);
+            viewer.note(line);
+        });
+    }
+
+    private static Optional<RuntimeException> run(Viewer viewer, Runnable running) {
         try {
-            viewer.finished(runner.run().complete());
+            running.run();
             return Optional.empty();
         } catch (RuntimeException e) {
             if (viewer.isLeft()) {

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.app.console.ExitCode;
 import org.dronewatch.app.console.Notes;
+import org.dronewatch.app.option.BesideOption;
 import org.dronewatch.app.option.OptionalSceneChoice;
 import org.dronewatch.app.option.SeedOption;
 import org.dronewatch.app.option.ThreadsOption;
@@ -31,7 +32,8 @@ import picocli.CommandLine.Spec;
             "Examples:",
             "  dronewatch view",
             "  dronewatch view multi-sensor --set drones.quadrotor.flight.bearing=45deg",
-            "  dronewatch view scenes/hill-radar.yaml --coverage"
+            "  dronewatch view scenes/hill-radar.yaml --coverage",
+            "  dronewatch view multi-sensor --set sensors.microphone.enabled=false --beside multi-sensor"
         })
 final class ViewCommand implements Callable<Integer> {
     @Mixin
@@ -46,6 +48,9 @@ final class ViewCommand implements Callable<Integer> {
     private boolean coverage;
 
     @Mixin
+    private BesideOption beside = new BesideOption();
+
+    @Mixin
     private ThreadsOption threads = new ThreadsOption();
 
     @Spec
@@ -54,17 +59,21 @@ final class ViewCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         Optional<Viewer.Subject> named = choice.isNamed() ? Optional.of(named()) : Optional.empty();
+        Optional<Viewer.Subject> other = beside.scene(choice).map(this::other);
         SceneWindow window =
                 new SceneWindow(threads.number(), spec.commandLine().getErr(), Notes.of(spec));
         if (!window.canOpen()) {
             return ExitCode.NO_DISPLAY;
         }
         named.or(() -> GalleryWindow.choose(this::runner))
-                .ifPresent(first -> window.show(first, viewer -> {
-                    if (coverage) {
-                        viewer.showCoverage();
-                    }
-                }));
+                .ifPresent(first -> window.show(
+                        first,
+                        viewer -> {
+                            if (coverage) {
+                                viewer.showCoverage();
+                            }
+                        },
+                        other));
         return 0;
     }
 
@@ -73,6 +82,15 @@ final class ViewCommand implements Callable<Integer> {
         SceneRunner runner = runner(scene);
         runner.settings();
         return new Viewer.Subject(scene, runner, choice.sceneFile());
+    }
+
+    /** The scene that is shown beside the first, without its overrides. */
+    private Viewer.Subject other(Scene scene) {
+        SceneRunner runner =
+                new SceneRunner(scene).store(choice.runner(scene).store()).threads(threads.number());
+        seed.apply(runner);
+        runner.settings();
+        return new Viewer.Subject(scene, runner, Optional.empty());
     }
 
     private SceneRunner runner(Scene scene) {

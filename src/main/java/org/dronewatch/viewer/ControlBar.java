@@ -122,7 +122,8 @@ final class ControlBar extends JToolBar {
         }
     }
 
-    private static String name(RecordedRun run) {
+    /** The name of a run of a sweep, with its value. */
+    static String name(RecordedRun run) {
         String number = "run " + run.info().run();
         return run.info()
                 .settings()

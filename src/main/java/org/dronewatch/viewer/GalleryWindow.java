@@ -22,6 +22,7 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.viewer.gallery.SceneGallery;
 import org.dronewatch.viewer.gallery.ScenePictures;
+import org.dronewatch.viewer.part.EventWork;
 import org.dronewatch.viewer.part.Texts;
 
 /** A window in which the user chooses a packaged scene or a scene file. */
@@ -58,7 +59,7 @@ public final class GalleryWindow {
                 runners,
                 subject -> choice.complete(Optional.of(subject)),
                 problem -> SwingUtilities.invokeLater(() -> gallery[0].report(Texts.problem(problem))))) {
-            Viewer.onEventThread(() -> {
+            EventWork.await(() -> {
                 ViewerWindow.setLook(layout.isDark());
                 frame[0] = new JFrame(TITLE);
                 gallery[0] = new SceneGallery(pictures, opening::open, () -> opening.ask(frame[0]));
@@ -72,7 +73,7 @@ public final class GalleryWindow {
                 frame[0].setContentPane(gallery[0]);
                 onEscape(frame[0].getRootPane(), () -> choice.complete(Optional.empty()));
             });
-            Viewer.onEventThread(() -> show(frame[0], gallery[0]));
+            EventWork.await(() -> show(frame[0], gallery[0]));
             return choice.get();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

@@ -7,6 +7,7 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.viewer.beside.ComparisonPanel;
 import org.dronewatch.viewer.coverage.CoveragePanel;
 import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.Playback;
@@ -14,7 +15,7 @@ import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.ViewedRun;
 import org.dronewatch.viewer.settings.SettingsPanel;
 
-/** The tabs beside the site: tables, sound rays, coverage, placing, settings and log. */
+/** The tabs beside the site: tables, sound rays, coverage, placing, settings, log and comparison. */
 final class RunTabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
 
@@ -22,7 +23,7 @@ final class RunTabs extends JTabbedPane {
     private static final int COVERAGE_HEIGHT = 360;
 
     /** Space around the name of a tab, in pixels of a normal screen: the look itself scales it. */
-    private static final int MARGIN = 5;
+    private static final int MARGIN = 3;
 
     private final transient RunTablesPanel tables;
     private final RayPanel rayPanel;
@@ -30,6 +31,7 @@ final class RunTabs extends JTabbedPane {
     private final PlacingPanel placing;
     private final SettingsPanel settings;
     private final LogPanel log = new LogPanel();
+    private final ComparisonPanel comparison;
 
     /**
      * Empty tabs.
@@ -58,6 +60,7 @@ final class RunTabs extends JTabbedPane {
                 threads, layout, stores, skin -> world.setStyle(world.style().withSkin(skin)), failed);
         this.placing = new PlacingPanel(layout, coverage, selection);
         this.settings = new SettingsPanel(layout, messages);
+        this.comparison = new ComparisonPanel(selection);
         // All tabs have room in one row.
         putClientProperty("JTabbedPane.tabInsets", new Insets(MARGIN, MARGIN, MARGIN, MARGIN));
         world.onPointed(coverage::point);
@@ -71,6 +74,7 @@ final class RunTabs extends JTabbedPane {
         addTab("Placing", placing);
         addTab("Settings", settings);
         addTab("Log", log);
+        addTab("Compare", comparison);
     }
 
     /** Takes the sensors and drones of another run. */
@@ -116,6 +120,10 @@ final class RunTabs extends JTabbedPane {
 
     CoveragePanel coverage() {
         return coverage;
+    }
+
+    ComparisonPanel comparison() {
+        return comparison;
     }
 
     LogPanel log() {

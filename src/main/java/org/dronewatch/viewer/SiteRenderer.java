@@ -38,13 +38,14 @@ final class SiteRenderer implements AutoCloseable {
     /**
      * Starts the threads.
      *
+     * @param name with which the names of the threads begin
      * @param target receives each finished image, on any thread
      * @param failed receives what went wrong
      */
-    SiteRenderer(int threads, Consumer<BufferedImage> target, Consumer<Throwable> failed) {
+    SiteRenderer(String name, int threads, Consumer<BufferedImage> target, Consumer<Throwable> failed) {
         this.target = target;
-        this.backdrops = new Latest("dronewatch-site", threads, failed);
-        this.overlays = new Latest("dronewatch-picture", threads, failed);
+        this.backdrops = new Latest(name + "-site", threads, failed);
+        this.overlays = new Latest(name + "-picture", threads, failed);
     }
 
     /** Shows another run's site. */

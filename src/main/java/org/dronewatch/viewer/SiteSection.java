@@ -1,6 +1,7 @@
 package org.dronewatch.viewer;
 
 import java.awt.BorderLayout;
+import java.awt.GridLayout;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -11,6 +12,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.canvas.Cut;
+import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.ViewedRun;
 
 /** The site view with the bar that selects viewpoint and cut. */
@@ -22,8 +24,12 @@ final class SiteSection extends JPanel {
 
     private static final double NEAREST = 4.0;
 
+    /** Space between two views, in pixels of a normal screen. */
+    private static final int BETWEEN = 3;
+
     private final WorldPanel world;
     private final WorldBar bar;
+    private final JPanel views = new JPanel(new GridLayout(1, 0, Scaled.px(BETWEEN), 0));
     private transient ViewedRun viewed;
     private transient Runnable focus = () -> {};
 
@@ -35,10 +41,11 @@ final class SiteSection extends JPanel {
      */
     SiteSection(int threads, Consumer<Throwable> failed) {
         super(new BorderLayout());
-        world = new WorldPanel(threads, failed);
+        world = new WorldPanel("dronewatch", threads, failed);
         bar = new WorldBar(world, views().toArray(Action[]::new));
         add(bar, BorderLayout.NORTH);
-        add(world, BorderLayout.CENTER);
+        views.add(world);
+        add(views, BorderLayout.CENTER);
     }
 
     /** Called to look at the selection. */
@@ -87,6 +94,16 @@ final class SiteSection extends JPanel {
     void focusOn(Position at) {
         double high = Math.max(NEAREST, NEAR * viewed.picture().interest().diagonal());
         world.move(world.orbit().at(at).showing(high));
+    }
+
+    /** Shows another view of equal size on the right of the site's own, or none. */
+    void showBeside(Optional<WorldPanel> other) {
+        while (views.getComponentCount() > 1) {
+            views.remove(1);
+        }
+        other.ifPresent(views::add);
+        views.revalidate();
+        views.repaint();
     }
 
     WorldPanel world() {

@@ -3,11 +3,9 @@ package org.dronewatch.viewer;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
-import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import javax.swing.SwingUtilities;
 import org.dronewatch.analysis.layer.LayerStore;
@@ -16,6 +14,7 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.part.EventWork;
 import org.dronewatch.viewer.run.Recording;
 
 /**
@@ -40,6 +39,7 @@ public final class Viewer implements AutoCloseable {
 
     // The window's threads read these.
     private volatile Recording recording = new Recording();
+    private volatile Recording running = recording;
     private volatile ViewerPane pane;
     private volatile boolean closing;
     private volatile Subject next;
@@ -113,12 +113,12 @@ public final class Viewer implements AutoCloseable {
                 made -> new SceneOpening(recent, made, viewer::choose, problem -> viewer.pane.report(problem)));
         viewer.opening.ifPresent(any -> subject.file().ifPresent(recent::add));
         // One thing after the other, so that the event thread is never busy for long.
-        onEventThread(() -> ViewerWindow.setLook(layout.isDark()));
-        onEventThread(() -> viewer.pane = viewer.paneOf(subject));
-        onEventThread(() -> viewer.window = new ViewerWindow(
+        EventWork.await(() -> ViewerWindow.setLook(layout.isDark()));
+        EventWork.await(() -> viewer.pane = viewer.paneOf(subject));
+        EventWork.await(() -> viewer.window = new ViewerWindow(
                 subject, viewer.pane, layout, viewer.opening, viewer::closing, viewer.closed::countDown));
-        onEventThread(viewer.window::show);
-        onEventThread(viewer.window::divide);
+        EventWork.await(viewer.window::show);
+        EventWork.await(viewer.window::divide);
         return viewer;
     }
 
@@ -162,7 +162,7 @@ public final class Viewer implements AutoCloseable {
     }
 
     private void interruptReading() {
-        if (!ended && !recording.hasFrames() && !recording.isFinished()) {
+        if (!ended && !running.hasFrames() && !running.isFinished()) {
             runner.interrupt();
         }
     }
@@ -192,9 +192,10 @@ public final class Viewer implements AutoCloseable {
             chosen = next;
             next = null;
             recording = new Recording();
+            running = recording;
         }
         Runnable[] ending = {() -> {}};
-        onEventThread(() -> {
+        EventWork.await(() -> {
             // A window that has been closed meanwhile has ended its own pane.
             if (!closing) {
                 pane = paneOf(chosen);
@@ -205,29 +206,36 @@ public final class Viewer implements AutoCloseable {
         return Optional.of(chosen);
     }
 
+    /**
+     * Runs another scene for comparison: its first run is shown beside the one in the window, with a table of the
+     * differences. Ends early when the user closes the window or opens another scene. To be called by the thread that
+     * runs scenes.
+     *
+     * @param name of the other scene, as users choose it
+     * @param other its runner
+     * @throws RuntimeException if the other scene cannot be run
+     */
+    public void runBeside(String name, SceneRunner other) {
+        Recording second = new Recording();
+        synchronized (this) {
+            if (isLeft()) {
+                return;
+            }
+            running = second;
+        }
+        ViewerPane shown = pane;
+        SwingUtilities.invokeLater(() -> shown.comparing().await(name, second));
+        boolean complete = false;
+        try {
+            complete = other.listener(second).cancelWhen(this::isLeft).run().complete();
+        } finally {
+            second.finish(complete);
+        }
+    }
+
     /** Whether a run is no longer needed: the user has closed the window or opened another scene. */
     public boolean isLeft() {
         return closing || next != null;
-    }
-
-    static void onEventThread(Runnable work) {
-        AtomicReference<RuntimeException> failure = new AtomicReference<>();
-        try {
-            SwingUtilities.invokeAndWait(() -> {
-                try {
-                    work.run();
-                } catch (RuntimeException e) {
-                    failure.set(e);
-                }
-            });
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        } catch (InvocationTargetException e) {
-            throw new IllegalStateException(e.getCause());
-        }
-        if (failure.get() != null) {
-            throw failure.get();
-        }
     }
 
     /** The listener by which the window receives the run. */

@@ -78,6 +78,11 @@ final class ViewerMenus {
                 ViewerActions.key(KeyEvent.VK_R),
                 pane.rayPanel()::trace));
         menu.add(item(
+                "Other run beside",
+                "Shows or hides the run with which this one is compared, at the same time and from the same viewpoint",
+                ViewerActions.key(KeyEvent.VK_B),
+                pane.comparing()::toggle));
+        menu.add(item(
                 "Compute coverage",
                 "Computes where the sensors detect a drone, and shows it in the site",
                 ViewerActions.shiftedMenuKey(KeyEvent.VK_K),

@@ -51,6 +51,7 @@ final class ViewerPane extends JPanel {
     private final StatusBar status = new StatusBar("Reading models and preparing ray tracing ...");
     private final RunTabs tabs;
     private final transient Measuring measuring;
+    private final transient Comparing comparing;
     private final JSplitPane across;
     private final JSplitPane down;
     private transient ViewedRun viewed;
@@ -79,6 +80,7 @@ final class ViewerPane extends JPanel {
         this.tabs = new RunTabs(threads, playback, world(), stores, layout, status::write, this::select, this::report);
         this.measuring = new Measuring(world(), this::placeOf, status::write, line -> log().write(line), this::report);
         world().setTool(measuring);
+        this.comparing = new Comparing(site, tabs.comparison(), threads, this::select, status::write, this::report);
         this.controls = new ControlBar(playback, actions, number -> {
             if (placing().mayLeave()) {
                 show(recording.runs().get(number));
@@ -152,6 +154,7 @@ final class ViewerPane extends JPanel {
     private void showTime() {
         double time = playback.time();
         world().show(viewed.state(time, selected(), rays()));
+        comparing.showTime(time, selected());
         if (time != shownTime) {
             shownTime = time;
             cameras.show(time);
@@ -165,6 +168,9 @@ final class ViewerPane extends JPanel {
         controls.update(runs);
         timeLine.update();
         tabs.update(viewed, time);
+        if (comparing.update(run, runs, time)) {
+            changed = true;
+        }
         cameras.mark(sensor -> viewed.readings(sensor, time), selected);
         boolean all = recording.isFinished();
         status.progress(run.reached() / run.duration(), all);
@@ -263,6 +269,10 @@ final class ViewerPane extends JPanel {
         return measuring;
     }
 
+    Comparing comparing() {
+        return comparing;
+    }
+
     RayPanel rayPanel() {
         return tabs.rayPanel();
     }
@@ -316,6 +326,7 @@ final class ViewerPane extends JPanel {
                 && cameras.isIdle()
                 && tabs.isIdle()
                 && measuring.isIdle()
+                && comparing.isIdle()
                 && staging.isIdle();
     }
 
@@ -326,5 +337,6 @@ final class ViewerPane extends JPanel {
         cameras.close();
         tabs.close();
         measuring.close();
+        comparing.close();
     }
 }

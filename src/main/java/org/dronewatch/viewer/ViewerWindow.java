@@ -9,6 +9,8 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
@@ -17,6 +19,7 @@ import javax.swing.WindowConstants;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.GivenScene;
 import org.dronewatch.scene.Scene;
+import org.dronewatch.viewer.beside.OtherRun;
 import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.UnsavedMoves;
@@ -125,8 +128,10 @@ final class ViewerWindow {
                 .mapToInt(JSplitPane::getDividerLocation)
                 .toArray();
         fill(subject, content);
-        again.filter(one -> one.scene() == subject.scene())
-                .ifPresent(one -> content.placing().layoutOfSensors().beginWith(one.saved()));
+        again.filter(one -> one.scene() == subject.scene()).ifPresent(one -> {
+            content.placing().layoutOfSensors().beginWith(one.saved());
+            content.comparing().compareWith(runsBefore(old));
+        });
         frame.validate();
         for (int i = 0; i < locations.length; i++) {
             pane.dividers().get(i).setDividerLocation(locations[i]);
@@ -136,6 +141,15 @@ final class ViewerWindow {
             oldFilms.close();
             old.close();
         };
+    }
+
+    /** What a changed scene can be compared with: as before, and with the run before it was changed. */
+    private static List<OtherRun> runsBefore(ViewerPane old) {
+        List<OtherRun> runs = new ArrayList<>(old.comparing().kept());
+        // Only the last run is kept: each takes memory.
+        runs.removeIf(run -> run.name().equals(Comparing.BEFORE));
+        old.viewed().ifPresent(run -> runs.add(new OtherRun(Comparing.BEFORE, run.run())));
+        return runs;
     }
 
     /** Shows it. */

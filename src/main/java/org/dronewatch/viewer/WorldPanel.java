@@ -53,15 +53,18 @@ final class WorldPanel extends JPanel {
     private transient WorldGrip grip = WorldGrip.NONE;
     private transient WorldTool tool = WorldTool.NONE;
     private transient UnaryOperator<SiteState> overlay = UnaryOperator.identity();
+    private transient Runnable viewChanged = () -> {};
 
     /**
      * An empty view.
      *
+     * @param name with which the names of its threads begin
      * @param threads how many paint the site
      * @param failed receives what went wrong
      */
-    WorldPanel(int threads, Consumer<Throwable> failed) {
+    WorldPanel(String name, int threads, Consumer<Throwable> failed) {
         this.renderer = new SiteRenderer(
+                name,
                 threads,
                 picture -> SwingUtilities.invokeLater(() -> {
                     image = picture;
@@ -101,6 +104,11 @@ final class WorldPanel extends JPanel {
         pointed = target;
     }
 
+    /** Called whenever viewpoint, cut or style have been set. */
+    void onViewChanged(Runnable target) {
+        viewChanged = target;
+    }
+
     /** Takes what is moved by the mouse in place of the view. */
     void setGrip(WorldGrip other) {
         grip = other;
@@ -123,8 +131,7 @@ final class WorldPanel extends JPanel {
     void show(SitePicture picture, Orbit from, Optional<Cut> without) {
         renderer.show(picture);
         site = picture.site();
-        cut = without;
-        move(from);
+        move(from, without);
         look(false);
     }
 
@@ -154,6 +161,7 @@ final class WorldPanel extends JPanel {
     void setStyle(SiteStyle other) {
         style = other;
         redraw();
+        viewChanged.run();
     }
 
     Orbit orbit() {
@@ -165,15 +173,21 @@ final class WorldPanel extends JPanel {
     }
 
     void setCut(Optional<Cut> other) {
-        cut = other;
-        move(orbit);
+        move(orbit, other);
     }
 
     /** Looks from elsewhere: coarse at once, fine when nothing has moved for a moment. */
     void move(Orbit to) {
+        move(to, cut);
+    }
+
+    /** Looks from elsewhere, with another cut. */
+    void move(Orbit to, Optional<Cut> without) {
         orbit = to;
+        cut = without;
         look(true);
         rest.restart();
+        viewChanged.run();
     }
 
     private void look(boolean moving) {

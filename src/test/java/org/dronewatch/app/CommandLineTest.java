@@ -308,6 +308,17 @@ class CommandLineTest extends CommandLines {
         assertThat(outcome.err()).contains("--set changes the settings of one scene: name the SCENE as well");
     }
 
+    @Test
+    void aSceneToCompareWithNeedsAFirstOneAndMustBeThere() {
+        Program.Outcome alone = commandIn("view --beside multi-sensor");
+        assertThat(alone.code()).isEqualTo(2);
+        assertThat(alone.err()).contains("--beside compares with a scene: name the SCENE as well");
+
+        Program.Outcome unknown = commandIn("view multi-sensor --beside multi-senso");
+        assertThat(unknown.code()).isEqualTo(2);
+        assertThat(unknown.err()).contains("unknown scene 'multi-senso'");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"view", "view multi-sensor", "run multi-sensor --view --out DIR/results"})
     void withoutADisplayAWindowIsRefusedInOneLine(String line) throws IOException {

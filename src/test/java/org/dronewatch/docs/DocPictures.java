@@ -120,6 +120,16 @@ final class DocPictures {
                             HEIGHT),
                     false),
             new DocPicture(
+                    "viewer-beside",
+                    directory -> PaintedWindow.comparing(
+                            13.4,
+                            new SceneRunner(scene("multi-sensor")).set("sensors.north-east-1.fov", "60 deg"),
+                            new SceneRunner(scene("multi-sensor")),
+                            "multi-sensor",
+                            WIDTH,
+                            HEIGHT),
+                    false),
+            new DocPicture(
                     "viewer-tape",
                     directory -> PaintedWindow.measuring(
                             new SceneRunner(scene("multi-sensor")).set("run.duration", "0.2 s"),

@@ -16,6 +16,7 @@ import javax.swing.UIManager;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.viewer.beside.OtherRun;
 import org.dronewatch.viewer.gallery.SceneGallery;
 import org.dronewatch.viewer.gallery.ScenePictures;
 import org.dronewatch.viewer.run.Recording;
@@ -120,6 +121,28 @@ public final class PaintedWindow {
             }
         };
         return at(0.0, runner, title, width, height, List.of(edit));
+    }
+
+    /**
+     * Compares a run with another, which is shown beside it, and paints the window at a time of both, s.
+     *
+     * @param other the run from which the first was changed
+     */
+    public static BufferedImage comparing(
+            double time, SceneRunner runner, SceneRunner other, String title, int width, int height) throws Exception {
+        Recording before = new Recording();
+        other.listener(before).run();
+        before.finish(true);
+        Step compare = pane -> {
+            pane.tabs().setSelectedComponent(pane.tabs().comparison());
+            JSplitPane down = pane.dividers().get(1);
+            down.setDividerLocation((int) (0.45 * down.getHeight()));
+            pane.comparing()
+                    .compareWith(
+                            List.of(new OtherRun(Comparing.BEFORE, before.runs().get(0))));
+            pane.tabs().comparison().setBeside(true);
+        };
+        return at(time, runner, title, width, height, List.of(compare));
     }
 
     /** The packaged scenes to choose from; in the light look, whatever was set before. */

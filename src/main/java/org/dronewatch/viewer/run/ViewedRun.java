@@ -26,6 +26,11 @@ public final class ViewedRun {
         this.picture = new SitePicture(settings(), run.stage());
     }
 
+    /** The title above the site. */
+    public String title() {
+        return title;
+    }
+
     public RecordedRun run() {
         return run;
     }

@@ -1,0 +1,17 @@
+package org.dronewatch.viewer.beside;
+
+import org.dronewatch.viewer.run.RecordedRun;
+
+/**
+ * A run with which the one that is shown can be compared.
+ *
+ * @param name as users choose it, such as {@code before the change}
+ * @param run the run, as far as it has been simulated
+ */
+public record OtherRun(String name, RecordedRun run) {
+    /** As a list shows it. */
+    @Override
+    public String toString() {
+        return name;
+    }
+}
