@@ -9,6 +9,7 @@ import java.util.function.IntConsumer;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.search.RouteMode;
+import org.dronewatch.route.search.WeakestRoute;
 
 /**
  * The weakest route of a site from each sector; or, after an interruption, from those sectors that were completed.
@@ -60,6 +61,13 @@ public record RouteSurvey(
                 return new RouteSurvey(routes, site.modes(), site.target(), response, false);
             }
             searched.accept(sector);
+        }
+        List<WeakestRoute> joined =
+                site.joined(routes.stream().map(SectorRoute::route).toList());
+        for (int i = 0; i < joined.size(); i++) {
+            if (!joined.get(i).equals(routes.get(i).route())) {
+                routes.set(i, site.describe(routes.get(i).sector(), joined.get(i)));
+            }
         }
         return new RouteSurvey(routes, site.modes(), site.target(), response, true);
     }

@@ -1,11 +1,14 @@
 package org.dronewatch.route;
 
+import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.drone.Drone;
@@ -112,6 +115,31 @@ public final class SiteRoutes {
     /** The weakest route that begins in a sector; empty if none leads from there within the endurance of the drone. */
     public Optional<WeakestRoute> from(int sector) {
         return within(starts(sector));
+    }
+
+    /**
+     * The weakest routes from several sectors, each of which may join another one where that is less exposed. The
+     * smoothing may end in a local minimum from one sector, but not from another.
+     *
+     * @param routes as found {@linkplain #from from each sector}
+     * @return as many, in the same order
+     */
+    public List<WeakestRoute> joined(List<WeakestRoute> routes) {
+        List<WeakestRoute> joined = new ArrayList<>(routes);
+        List<Integer> leastFirst = IntStream.range(0, routes.size())
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> routes.get(i).exposure()))
+                .toList();
+        for (int own : leastFirst) {
+            double exposure = joined.get(own).exposure();
+            List<WeakestRoute> others =
+                    joined.stream().filter(one -> one.exposure() < exposure).toList();
+            WeakestRoute better = this.routes.joined(joined.get(own), others);
+            if (endurance.allows(better)) {
+                joined.set(own, better);
+            }
+        }
+        return joined;
     }
 
     private BitSet starts(int sector) {

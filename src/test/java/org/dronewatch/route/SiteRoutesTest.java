@@ -126,6 +126,53 @@ class SiteRoutesTest {
                 List.of(List.of(new FlownExposure.Step(0.0, time, exposure))), Map.of("round", exposure));
     }
 
+    /** They begin where they did, are no more exposed, and can still be flown. */
+    @Test
+    void routesThatJoinOthersAreNoMoreExposed() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        List<WeakestRoute> alone = IntStream.range(0, SiteRoutes.SECTORS)
+                .mapToObj(sector -> routes.from(sector).orElseThrow())
+                .toList();
+        List<WeakestRoute> joined = routes.joined(alone);
+
+        assertThat(joined).hasSameSizeAs(alone);
+        for (int i = 0; i < joined.size(); i++) {
+            WeakestRoute one = joined.get(i);
+            assertThat(one.exposure()).isBetween(one.lower(), alone.get(i).exposure());
+            assertThat(one.path().points().get(0))
+                    .isEqualTo(alone.get(i).path().points().get(0));
+            assertThat(one.lower()).isEqualTo(alone.get(i).lower());
+            assertFlyable(one);
+        }
+    }
+
+    /**
+     * Past radars that are blind to crossing flight, smoothing finds routes of no exposure from three directions, and
+     * routes with exposures of 15 to 97 from the others.
+     */
+    @Test
+    void someRoutesGainByJoiningOthers() throws IOException {
+        String radar =
+                """
+                  NAME: {kind: radar, position: [AT, 4], minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 2,
+                    minSpeed: 2 m/s, budget: {range: 200, crossSection: 0.01}, detection: {kind: chance}}
+                """;
+        site = FieldSite.in(
+                directory,
+                radar.replace("NAME", "one").replace("AT", "0, 0")
+                        + radar.replace("NAME", "other").replace("AT", "60, 40")
+                        + "alert: {zones: {z: {centre: [0, 60], radius: 30 m, height: 40 m}}, response: 2 s}\n");
+        field = site.field(new FieldGrid(0, 60, 500, 20, List.of(5.0, 15.0, 30.0, 50.0)), 2);
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        List<WeakestRoute> alone = IntStream.range(0, SiteRoutes.SECTORS)
+                .mapToObj(sector -> routes.from(sector).orElseThrow())
+                .toList();
+        List<WeakestRoute> joined = routes.joined(alone);
+
+        assertThat(alone).anyMatch(one -> one.exposure() > 10.0);
+        assertThat(joined).allMatch(one -> one.exposure() < 0.01);
+    }
+
     /** It ends at the zone, stays between the heights of the field, and takes no less time than a drone needs. */
     private void assertFlyable(WeakestRoute route) {
         List<Position> points = route.path().points();

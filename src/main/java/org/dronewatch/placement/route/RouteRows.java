@@ -11,6 +11,7 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.placement.RowOracle;
 import org.dronewatch.route.LayoutRoutes;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.setting.InputException;
 
 /** The weakest route from each direction past a layout, by its exposure to each candidate. */
@@ -81,6 +82,11 @@ final class RouteRows implements RowOracle {
         }
         if (all.stream().anyMatch(one -> one.route().seconds() == 0.0)) {
             throw new InputException("air.side must be larger: the protected zone reaches the edge of the square");
+        }
+        List<WeakestRoute> joined =
+                past.joined(all.stream().map(DirectedRoute::route).toList());
+        for (int i = 0; i < joined.size(); i++) {
+            all.set(i, new DirectedRoute(all.get(i).sector(), joined.get(i)));
         }
         all.sort(Comparator.comparingDouble(DirectedRoute::exposure)
                 .thenComparingDouble(one -> one.route().seconds()));

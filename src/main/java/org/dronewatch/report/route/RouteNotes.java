@@ -89,7 +89,9 @@ final class RouteNotes {
 
     /** From which sectors less detected routes may exist, which smaller cells may show; empty if there are none. */
     private Optional<String> unproven(RouteSurvey survey) {
-        List<String> sectors = sectors(survey, route -> route.isUnproven(survey.response()));
+        // Where a warning says the same, it is enough.
+        List<String> sectors = sectors(
+                survey, route -> route.isUnproven(survey.response()) && !route.isMisjudgedForCells(survey.response()));
         return sectors.isEmpty()
                 ? Optional.empty()
                 : Optional.of("Less exposed routes from the " + listed(sectors)

@@ -213,11 +213,42 @@ public final class WeakestRoutes {
         RoutePath whole =
                 finish.of(onwards.map(times -> smooth.then(times.path(times.from(states.get(states.size() - 1)))))
                         .orElse(smooth));
+        return new Smoothed(described(whole, lower), new RouteExposure(priced).along(finish.counted(whole)));
+    }
+
+    /**
+     * The less exposed one of a route and those that begin like it, but then join another route.
+     *
+     * @param others routes of the same search from other nodes
+     */
+    public WeakestRoute joined(WeakestRoute own, List<WeakestRoute> others) {
+        RouteJunction junction = new RouteJunction(priced);
+        RoutePath counted = finish.counted(own.path());
+        Optional<RoutePath> head = Optional.empty();
+        RoutePath rest = own.path();
+        for (WeakestRoute other : others) {
+            RoutePath before = finish.counted(other.path());
+            Optional<RoutePath> better = junction.best(head.orElse(counted), before);
+            if (better.isPresent()) {
+                head = better;
+                rest = other.path().after(before);
+            }
+        }
+        RoutePath last = rest;
+        return head.map(path -> described(whole(path, last), own.lower()))
+                .filter(route -> route.exposure() < own.exposure())
+                .orElse(own);
+    }
+
+    /** A path whose exposure counts, smoothed if it may turn anywhere, and the rest of the way to its end. */
+    private RoutePath whole(RoutePath path, RoutePath rest) {
+        RoutePath head = problem.turnRadius() > 0.0 ? path : RouteSmoothing.of(priced, path);
+        return finish.of(head.then(rest));
+    }
+
+    private WeakestRoute described(RoutePath whole, double lower) {
         RouteExposure exposure = new RouteExposure(problem);
-        RoutePath counted = finish.counted(whole);
-        return new Smoothed(
-                new WeakestRoute(whole, exposure.along(counted), lower, exposure.time(whole)),
-                new RouteExposure(priced).along(counted));
+        return new WeakestRoute(whole, exposure.along(finish.counted(whole)), lower, exposure.time(whole));
     }
 
     /** The part of a route on which a detection counts. */
