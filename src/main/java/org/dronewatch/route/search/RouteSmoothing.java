@@ -208,7 +208,7 @@ final class RouteSmoothing {
         double best = before;
         double[] at = points.get(i);
         for (double[] axis : axes) {
-            for (int sign = -1; sign <= 1; sign += 2) {
+            for (int sign = 1; sign >= -1; sign -= 2) {
                 double[] kept = at.clone();
                 for (int part = 0; part < at.length; part++) {
                     at[part] += sign * step * axis[part];
