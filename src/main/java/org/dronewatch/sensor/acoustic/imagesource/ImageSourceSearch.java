@@ -43,6 +43,10 @@ public final class ImageSourceSearch {
     private final WallPlanes planes;
     private final double[] mirrored;
     private final AcousticRay ray = new AcousticRay();
+
+    /** The walls that have reflected the ray so far. */
+    private int[] walls = new int[0];
+
     private final double[] normal = new double[3];
 
     /** A search among the planes of a world. */
@@ -148,11 +152,13 @@ public final class ImageSourceSearch {
         ray.originX = from.x();
         ray.originY = from.y();
         ray.originZ = from.z();
-        int[] walls = new int[maxOrder];
+        walls = walls.length < maxOrder ? new int[maxOrder] : walls;
         int image = ImageSources.ORIGINAL;
         double left = 1.0;
         boolean isLonely = false;
-        beyond.begin();
+        if (anyTransmits) {
+            beyond.begin();
+        }
         for (int order = 0; order < maxOrder; order++) {
             if (!ray.meets(tracer)) {
                 break;
@@ -173,7 +179,9 @@ public final class ImageSourceSearch {
             image = tree.add(image, walls[order], left);
             isLonely |= order > 0 && left > WORTH_A_LOOK && tree.worth(image) <= FEW * left;
         }
-        beyond.follow(maxOrder);
+        if (anyTransmits) {
+            beyond.follow(maxOrder);
+        }
         if (isLonely) {
             lonely.add(direction);
         }
