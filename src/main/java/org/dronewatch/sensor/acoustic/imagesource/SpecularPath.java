@@ -114,9 +114,10 @@ public final class SpecularPath {
         int wall = WallPlanes.NONE;
         int corner = image;
         set(before, fromX, fromY, fromZ);
-        Arrays.fill(reflected, 1.0);
-        legs.begin(fromX, fromY, fromZ);
         boolean isInEdge = false;
+        if (image == ImageSources.ORIGINAL) {
+            begin(fromX, fromY, fromZ);
+        }
         for (int rest = image; rest != ImageSources.ORIGINAL; rest = imageSources.parent(rest)) {
             int next = imageSources.wall(rest);
             double here = planes.height(next, x, y, z);
@@ -134,6 +135,10 @@ public final class SpecularPath {
                     || !(seen * there < 0.0)
                     || !planes.mayContain(next, x + fraction * dx, y + fraction * dy, z + fraction * dz)) {
                 return false;
+            }
+            // Most images are ruled out before.
+            if (rest == image) {
+                begin(fromX, fromY, fromZ);
             }
             double legX = fraction * dx;
             double legY = fraction * dy;
@@ -177,6 +182,11 @@ public final class SpecularPath {
             wall = next;
         }
         return isFreeToTheEnd(x, y, z, images, wall, isInEdge);
+    }
+
+    private void begin(double x, double y, double z) {
+        Arrays.fill(reflected, 1.0);
+        legs.begin(x, y, z);
     }
 
     private static boolean isSame(int wall, int other) {
