@@ -69,7 +69,7 @@ final class ChangedSettings {
         }
     }
 
-    /** A value with {@link #DIGITS} digits, unless it could then no longer be told from the other. */
+    /** A value rounded to {@link #DIGITS} digits, unless both values would then look the same. */
     private static String shorter(String value, String other) {
         String rounded = rounded(value);
         return rounded.equals(rounded(other)) ? value : rounded;

@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The layout with the longest warning among all, on a plain with four boxes, as {@code coverage} finds warnings. */
 class WarningSearchTest {
-    private static final String CANDIDATES =
+    static final String CANDIDATES =
             """
             scene: site.yaml
             objective: warning-time

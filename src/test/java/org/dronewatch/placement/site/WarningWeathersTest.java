@@ -31,21 +31,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** The layout with the longest warning under the worst of several conditions. */
 class WarningWeathersTest {
     private static final String CANDIDATES =
-            """
-            scene: site.yaml
-            objective: warning-time
-            candidates:
-              radar:
-                sensor: {kind: radar, minRange: 1, maxRange: 150, elevationWidth: 90 deg, minSpeed: 3 m/s,
-                  budget: {range: 5000, crossSection: 0.01}}
-                price: 2
-                places: [[0, 90, 4], [0, -95, 4], [-55, 10, 17], [110, 0, 4]]
-              radio:
-                sensor: {kind: rf, threshold: 12}
-                price: 1.5
-                places: [[0, 0, 4], [60, 0, 4], [-50, -50, 4]]
-            air: {side: 400 m, cell: 20 m, heights: [12 m, 40 m], conditions: weather.yaml}
-            """;
+            WarningSearchTest.CANDIDATES.replace("40 m]}", "40 m], conditions: weather.yaml}");
 
     /** In the first, receivers are weak; in the second, there is less time. */
     private static final String CONDITIONS =

@@ -32,7 +32,7 @@ final class FreeLegs {
     }
 
     /**
-     * Whether what obstructed the path last transmits sound, as far as can be told without following it further.
+     * Whether the last obstacle may transmit sound; what lies beyond it has not been examined.
      */
     boolean isBehindWall() {
         return isBehindWall;
