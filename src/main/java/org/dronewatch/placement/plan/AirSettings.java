@@ -30,8 +30,8 @@ import org.dronewatch.setting.input.LinkOut;
  * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell counts
  *     on the heading towards the protected zone. {@code any} by default
  * @param conditions file of conditions, such as night or fog, in the directory of this file or below it, as for
- *     {@code coverage --conditions}: what counts is the coverage, or the warning, under the worst of them, including
- *     the scene as it is
+ *     {@code coverage --conditions}: what counts is the coverage, the warning, or the exposure, under the worst of
+ *     them, including the scene as it is
  * @param pointing whether sensors on positioners have turned to the drone ({@code cued}) or search for it
  *     ({@code search}); {@code cued} by default, and {@code search} for {@code weakest-route}
  */

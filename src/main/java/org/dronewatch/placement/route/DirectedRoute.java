@@ -1,21 +1,24 @@
 package org.dronewatch.placement.route;
 
+import java.util.Optional;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.search.WeakestRoute;
 
 /**
- * The weakest route from one direction.
+ * The weakest route from one direction, in the scene as it is or under one of the conditions of a plan.
  *
  * @param sector from which it comes, by its number, from 0 for the north clockwise
+ * @param condition name of the condition; empty for the scene as it is
  * @param route that is least exposed
  */
-record DirectedRoute(int sector, WeakestRoute route) {
-    double exposure() {
+public record DirectedRoute(int sector, Optional<String> condition, WeakestRoute route) {
+    /** The exposure along the route, as far as a detection counts. */
+    public double exposure() {
         return route.exposure();
     }
 
     /** The bearing of the middle of the sector, clockwise from north, rad. */
-    double bearing() {
+    public double bearing() {
         return SectorRoute.bearing(sector);
     }
 }

@@ -30,57 +30,46 @@ final class RouteFigures {
 
     /** The figures; without those of parts of the layout and of the scene if this thread is interrupted. */
     RoutePlacement of(CutResult cut) {
-        try {
-            return of(
-                    cut,
-                    alone(cut),
-                    without(cut),
-                    purchases(cut),
-                    present(),
-                    cut.result().complete());
-        } catch (CancellationException e) {
-            return of(cut, Map.of(), Map.of(), List.of(), Optional.empty(), false);
-        }
+        return withParts(inBrief(cut), cut);
     }
 
     /** Without the figures of parts of the layout and of the scene. */
     RoutePlacement inBrief(CutResult cut) {
-        return of(
-                cut,
-                Map.of(),
-                Map.of(),
-                List.of(),
-                Optional.empty(),
-                cut.result().complete());
-    }
-
-    private RoutePlacement of(
-            CutResult cut,
-            Map<String, Double> alone,
-            Map<String, Double> without,
-            List<PlaceStep> purchases,
-            Optional<PresentLayout> present,
-            boolean isComplete) {
         PlacementResult found = cut.result();
         // These routes have been searched for already.
         List<DirectedRoute> past = rows.pastCandidates(found.chosen());
-        double value = Math.min(found.value(), past.get(0).exposure());
+        Map<Optional<String>, Double> values = rows.values(found.chosen());
+        double value = values.values().stream().mapToDouble(Double::doubleValue).reduce(found.value(), Math::min);
         double lower =
                 past.stream().mapToDouble(one -> one.route().lower()).min().orElse(0.0);
+        Map<String, Double> byCondition = new LinkedHashMap<>();
+        plan.conditions().forEach(one -> byCondition.put(one.name(), values.get(Optional.of(one.name()))));
         return new RoutePlacement(
                 plan,
                 grid,
-                new PlacementResult(found.chosen(), value, found.bound(), found.cost(), isComplete),
-                past.get(0).route(),
-                past.get(0).bearing(),
+                new PlacementResult(found.chosen(), value, found.bound(), found.cost(), found.complete()),
+                past.get(0),
                 Math.min(lower, value),
-                alone,
-                without,
-                purchases,
-                present,
+                values.get(Optional.<String>empty()),
+                byCondition,
+                RouteParts.NONE,
                 cut.rounds(),
                 cut.problem().table().rows(),
-                isComplete);
+                found.complete());
+    }
+
+    /**
+     * A layout together with the figures of its parts and of the scene; without them if this thread is interrupted.
+     *
+     * @param brief the layout, without these figures
+     * @param cut the result from which it comes
+     */
+    RoutePlacement withParts(RoutePlacement brief, CutResult cut) {
+        try {
+            return brief.with(new RouteParts(alone(cut), without(cut), purchases(cut), present()));
+        } catch (CancellationException e) {
+            return brief.incomplete();
+        }
     }
 
     private Map<String, Double> alone(CutResult cut) {

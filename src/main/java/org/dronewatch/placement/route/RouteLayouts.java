@@ -115,9 +115,7 @@ public final class RouteLayouts {
         @Override
         public RoutePlacement described(RoutePlacement layout) {
             CutResult cut = found.get(layout.result().chosen());
-            return cut == null || !layout.alone().isEmpty()
-                    ? layout
-                    : figures.of(cut).within(layout.bound());
+            return cut == null || !layout.parts().alone().isEmpty() ? layout : figures.withParts(layout, cut);
         }
 
         @Override
@@ -138,7 +136,7 @@ public final class RouteLayouts {
                 return Optional.empty();
             }
             Map<Integer, Double> has = new HashMap<>();
-            past(after).forEach(one -> has.put(one.sector(), detection(one)));
+            past(after).forEach(one -> has.merge(one.sector(), detection(one), Math::min));
             List<DirectedRoute> had = new ArrayList<>(past(before.get()));
             had.removeIf(one -> !has.containsKey(one.sector()));
             List<Double> heights = after.grid().heights();

@@ -13,22 +13,19 @@ import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.site.PresentLayout;
-import org.dronewatch.route.search.WeakestRoute;
 
 /**
  * The best layout that was found against the weakest of all routes. Values are exposures on the least exposed route,
- * capped at {@link WeakestRouteSearch#ENOUGH}.
+ * capped at {@link WeakestRouteSearch#ENOUGH}; under several conditions, that under the worst of them.
  *
  * @param plan what was asked for
  * @param grid the cells over which routes are searched for
  * @param result result of the search
  * @param weakest the least exposed route past the layout
- * @param bearing bearing of the direction from which that route comes, clockwise from north, rad
  * @param lower a certified lower bound on the exposure along any route past the layout
- * @param alone by the name of each sensor, the value of a layout of that sensor alone; empty if it was not computed
- * @param withoutEach by the name of each sensor, the value without that sensor; empty if it was not computed
- * @param purchases the order in which to buy the sensors, after those that are kept; empty if it was not computed
- * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
+ * @param asItIs value in the scene as it is
+ * @param byCondition by its name, the value under each condition
+ * @param parts figures of parts of the layout, and of the scene's own sensors
  * @param rounds number of layouts whose routes were searched for
  * @param routes number of routes that were compared
  * @param complete whether every candidate was assessed and the search ran to completion
@@ -37,22 +34,18 @@ public record RoutePlacement(
         PlacePlan plan,
         FieldGrid grid,
         PlacementResult result,
-        WeakestRoute weakest,
-        double bearing,
+        DirectedRoute weakest,
         double lower,
-        Map<String, Double> alone,
-        Map<String, Double> withoutEach,
-        List<PlaceStep> purchases,
-        Optional<PresentLayout> present,
+        double asItIs,
+        Map<String, Double> byCondition,
+        RouteParts parts,
         int rounds,
         int routes,
         boolean complete)
         implements PlacedLayout {
-    /** Copies the lists and maps. */
+    /** Copies the map. */
     public RoutePlacement {
-        alone = Collections.unmodifiableMap(new LinkedHashMap<>(alone));
-        withoutEach = Collections.unmodifiableMap(new LinkedHashMap<>(withoutEach));
-        purchases = List.copyOf(purchases);
+        byCondition = Collections.unmodifiableMap(new LinkedHashMap<>(byCondition));
     }
 
     @Override
@@ -67,27 +60,50 @@ public record RoutePlacement(
 
     @Override
     public OptionalDouble alone(SiteCandidate sensor) {
-        Double known = alone.get(sensor.name());
+        Double known = parts.alone().get(sensor.name());
         return known == null ? OptionalDouble.empty() : OptionalDouble.of(known);
+    }
+
+    @Override
+    public Map<String, Double> withoutEach() {
+        return parts.withoutEach();
+    }
+
+    @Override
+    public List<PlaceStep> purchases() {
+        return parts.purchases();
+    }
+
+    @Override
+    public Optional<PresentLayout> present() {
+        return parts.present();
     }
 
     /** The same with another bound; none below the value. */
     RoutePlacement within(double bound) {
         double atLeast = Math.max(result.value(), bound);
-        return new RoutePlacement(
-                plan,
-                grid,
+        return with(
                 new PlacementResult(result.chosen(), result.value(), atLeast, result.cost(), result.complete()),
-                weakest,
-                bearing,
-                lower,
-                alone,
-                withoutEach,
-                purchases,
-                present,
-                rounds,
-                routes,
+                parts,
                 complete);
+    }
+
+    /** The same with figures of its parts. */
+    RoutePlacement with(RouteParts others) {
+        return with(result, others, complete);
+    }
+
+    /** The same after an interruption. */
+    RoutePlacement incomplete() {
+        return with(
+                new PlacementResult(result.chosen(), result.value(), result.bound(), result.cost(), false),
+                parts,
+                false);
+    }
+
+    private RoutePlacement with(PlacementResult found, RouteParts others, boolean isComplete) {
+        return new RoutePlacement(
+                plan, grid, found, weakest, lower, asItIs, byCondition, others, rounds, routes, isComplete);
     }
 
     /** The probability of at least one detection along a route with a given exposure, 0 to 1. */

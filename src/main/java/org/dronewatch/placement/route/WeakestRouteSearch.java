@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.PlacementSolver;
@@ -15,16 +17,15 @@ import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.PlaceSettings;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.route.FieldExposure;
-import org.dronewatch.route.LayoutRoutes;
 import org.dronewatch.route.SensorFields;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 
 /**
- * Finds the layout of a plan that makes the weakest route to the protected zone as exposed as possible: each candidate
- * is assessed once by itself; then the search alternates between trying layouts against the known routes and looking
- * for weaker routes past these layouts.
+ * Finds the layout of a plan that makes the weakest route to the protected zone as exposed as possible, under the worst
+ * of the plan's conditions: each candidate is assessed once by itself under each of them; then the search alternates
+ * between trying layouts against the known routes and looking for weaker routes past these layouts.
  */
 public final class WeakestRouteSearch {
     /**
@@ -34,8 +35,11 @@ public final class WeakestRouteSearch {
     public static final double ENOUGH = -Math.log1p(-FieldExposure.HIGHEST);
 
     private final PlacePlan plan;
-    private final Stage stage;
-    private final RouteFields fields;
+    private final FieldGrid grid;
+
+    /** In the scene as it is, and under each condition. */
+    private final List<RouteFields> scenes = new ArrayList<>();
+
     private final PlacementSolver solver;
 
     /**
@@ -47,10 +51,16 @@ public final class WeakestRouteSearch {
      */
     public WeakestRouteSearch(PlacePlan plan, Stage stage, LayerStore store, PlacementSolver solver) {
         this.plan = plan;
-        this.stage = stage;
         this.solver = solver;
         checkSense(plan.settings());
-        this.fields = new RouteFields(plan, stage, store);
+        this.grid = RouteFields.grid(plan, stage);
+        scenes.add(new RouteFields(plan, plan.present(), stage, store, grid));
+        plan.conditions().forEach(condition -> {
+            Stage there = plan.runner().stage(condition.settings());
+            LayerStore under =
+                    store.under(condition.settings(), plan.runner().inputs().models());
+            scenes.add(new RouteFields(plan, condition.settings(), there, under, grid));
+        });
     }
 
     private static void checkSense(PlaceSettings settings) {
@@ -59,7 +69,6 @@ public final class WeakestRouteSearch {
         refuse(air.area().isPresent(), "air.area", "routes lead to the protected zone from the edge of a square");
         refuse(air.within().isPresent(), "air.within", "each look counts");
         refuse(Double.compare(air.covered(), FieldCoverage.DEFAULT_COVERED) != 0, "air.covered", "each look counts");
-        refuse(air.conditions().isPresent(), "air.conditions", "routes are searched for in the scene as it is");
         refuse(air.heading() != AirSettings.Heading.ANY, "air.heading", "a route has its own headings");
     }
 
@@ -71,7 +80,8 @@ public final class WeakestRouteSearch {
 
     /** The approximate number of cells at which sensors have to be assessed. */
     public long looks() {
-        return fields.looks() * (plan.candidates().size() + others().size());
+        long each = scenes.stream().mapToLong(RouteFields::looks).sum();
+        return each * (plan.candidates().size() + others().size());
     }
 
     /** The scene's own sensors that are not candidates, by their names. */
@@ -103,20 +113,26 @@ public final class WeakestRouteSearch {
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public RouteLayouts assessed(IntConsumer progress) {
+        List<SceneRoutes> routes = new ArrayList<>();
+        for (int number = 0; number < scenes.size(); number++) {
+            Optional<String> condition = number == 0
+                    ? Optional.empty()
+                    : Optional.of(plan.conditions().get(number - 1).name());
+            routes.add(routes(condition, scenes.get(number), progress));
+        }
+        List<String> candidates =
+                plan.candidates().stream().map(SiteCandidate::name).toList();
+        return new RouteLayouts(plan, grid, new RouteRows(routes, candidates), solver);
+    }
+
+    private SceneRoutes routes(Optional<String> condition, RouteFields fields, IntConsumer progress) {
         List<SensorFields> known = new ArrayList<>();
         plan.candidates().forEach(one -> known.add(fields.of(one.name(), one.sensor(), progress)));
         others().forEach((name, sensor) -> known.add(fields.of(name, sensor, progress)));
-        RouteRows rows = new RouteRows(
-                routes(known),
-                plan.candidates().stream().map(SiteCandidate::name).toList());
-        return new RouteLayouts(plan, fields.grid(), rows, solver);
-    }
-
-    private LayoutRoutes routes(List<SensorFields> known) {
         try {
-            return new LayoutRoutes(known, stage, plan.drone());
+            return new SceneRoutes(condition, fields.routes(known), fields.disabled());
         } catch (IllegalArgumentException e) {
-            throw new InputException("air: " + e.getMessage(), e);
+            throw new InputException("air: " + e.getMessage() + SceneRoutes.under(condition), e);
         }
     }
 }

@@ -85,8 +85,8 @@ final class FlownTable {
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add("");
-        lines.add(
-                "probability of a detection in time on the weakest route from each direction, by the search and as flown:");
+        lines.add("probability of a detection in time on the weakest route from each direction, by the search and as"
+                + " flown" + asItIs() + ":");
         lines.add(PlaceTable.text(ROW, "", "today", "", "layout", "", ""));
         lines.add(PlaceTable.text(ROW, "from", "search", "flown", "search", "flown", "time left"));
         for (Pair pair : pairs(Optional.of(layout), present)) {
@@ -104,9 +104,14 @@ final class FlownTable {
         RouteTable.summary(layout.results(), layout.inputs()).forEach(line -> words.add(of("Past the layout", line)));
         present.map(flown -> RouteTable.summary(flown.results(), flown.inputs()).get(0))
                 .ifPresent(line -> words.add(of("Past today's sensors", line)));
-        words.add("'route layout.yaml " + SameRoute.options(best, layout.inputs())
-                + "' gives the figures of the layout, and a scene for each route.");
+        words.add("'route layout.yaml " + SameRoute.options(best, layout.inputs()) + "' gives the figures of the layout"
+                + asItIs() + ", and a scene for each route.");
         return words;
+    }
+
+    /** {@code , in the scene as it is}; an empty text if only that counts. */
+    String asItIs() {
+        return best.byCondition().isEmpty() ? "" : ", in the scene as it is";
     }
 
     private static String of(String whom, String line) {

@@ -76,7 +76,7 @@ final class PlaceTable {
             return Optional.empty();
         }
         StringBuilder text =
-                new StringBuilder("In the scene as it is, it ").append(measure.claim(true, layout.asItIs()));
+                new StringBuilder("In the scene as it is, the layout ").append(measure.claim(true, layout.asItIs()));
         values.forEach((name, value) -> text.append("; under the condition '")
                 .append(name)
                 .append("', ")

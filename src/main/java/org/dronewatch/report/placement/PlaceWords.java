@@ -34,13 +34,15 @@ final class PlaceWords {
                 + measure.whole() + "; no layout for "
                 + amount(best.plan().settings().budget())
                 + " can achieve " + FrontWords.moreThan(measure.text(best.bound())) + ".");
+        PlaceTable table = new PlaceTable(best, measure);
+        table.byCondition().ifPresent(sentences::add);
         best.present()
                 .ifPresent(own -> sentences.add("Today's " + PlaceTable.counted(own) + " "
                         + measure.claim(own.sensors() == 1, own.value()) + "."));
         cheaper()
                 .ifPresent(point -> sentences.add("The best layout for " + amount(point.cost()) + " "
                         + measure.claim(true, point.layout().value()) + "."));
-        new PlaceTable(best, measure).worstLoss().ifPresent(sentences::add);
+        table.worstLoss().ifPresent(sentences::add);
         return String.join(" ", sentences);
     }
 

@@ -57,6 +57,7 @@ final class RouteChapter {
             row.addAll(FlownTable.figures(pair));
             rows.add(row);
         }
+        FlownTable table = new FlownTable(layout, results.present(), best);
         List<String> head = new ArrayList<>(List.of("from"));
         head.addAll(FlownTable.heads());
         return Html.plain(
@@ -64,11 +65,11 @@ final class RouteChapter {
                         "For each direction, the table states the probability that the drone is detected in time on the"
                                 + " route on which that is least likely, past today's sensors and past the layout: by"
                                 + " the search, which knows only the middle of each cell, and from every look along the"
-                                + " route as it is flown. 'Time left' is the time between the typical (median) first"
+                                + " route as it is flown" + table.asItIs()
+                                + ". 'Time left' is the time between the typical (median) first"
                                 + " detection and the drone's arrival.")
                 + Html.table(head, rows)
-                + new FlownTable(layout, results.present(), best)
-                        .words().stream().map(line -> Html.plain("p", line)).collect(Collectors.joining());
+                + table.words().stream().map(line -> Html.plain("p", line)).collect(Collectors.joining());
     }
 
     private Figure map(FlownLayout flown, String title, int[] ground) throws IOException {

@@ -13,9 +13,12 @@ import tools.jackson.databind.node.ObjectNode;
 final class RoutePlaceFile {
     private RoutePlaceFile() {}
 
-    /** Adds the weakest route past the layout, as the search found it. */
+    /** Adds the weakest route past the layout, as the search found it, and the condition, if there are any. */
     static void addRoute(ObjectNode node, RoutePlacement placement) {
-        WeakestRoute route = placement.weakest();
+        WeakestRoute route = placement.weakest().route();
+        if (!placement.byCondition().isEmpty()) {
+            node.put("condition", placement.weakest().condition().orElse(null));
+        }
         node.put("exposure", Numbers.rounded(route.exposure()));
         node.put("lower", Numbers.rounded(placement.lower()));
         node.put("p_detect", Numbers.rounded(route.detection()));

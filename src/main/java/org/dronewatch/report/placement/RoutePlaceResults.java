@@ -44,6 +44,7 @@ public record RoutePlaceResults(
         List<String> lines = new ArrayList<>(table.lines());
         lines.add("");
         lines.addAll(new RouteSentences(best()).lines());
+        table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
         lines.addAll(new FrontWords(measure()).lines(front.points()));
@@ -53,7 +54,7 @@ public record RoutePlaceResults(
 
     @Override
     public ObjectNode toJson() {
-        return PlaceFile.of(this, terms -> {}, values -> {}, more -> {
+        return PlaceFile.of(this, terms -> {}, PlaceFile.conditions(best()), more -> {
             RoutePlaceFile.addRoute(more.putObject("route"), best());
             more.put("rounds", best().rounds());
             more.put("routes", best().routes());

@@ -26,21 +26,36 @@ final class RouteSentences {
 
     private String weakest() {
         if (value == 0.0) {
-            return "A route past the layout remains on which no sensor detects the drone: " + along() + ".";
+            return "A route past the layout remains on which no sensor detects the drone" + scene() + ": " + along()
+                    + ".";
         }
-        return "On the weakest route past the layout, the drone is detected with a probability of " + detected(value)
-                + " (exposure " + exposure(value) + "): " + along() + ".";
+        return "On the weakest route past the layout" + scene() + ", the drone is detected with a probability of "
+                + detected(value) + " (exposure " + exposure(value) + "): " + along() + ".";
+    }
+
+    /** {@code , under the condition 'fog'}: where that route was found; an empty text if there are no conditions. */
+    private String scene() {
+        return isConditioned()
+                ? best.weakest()
+                        .condition()
+                        .map(name -> ", under the condition '" + name + "'")
+                        .orElse(", in the scene as it is")
+                : "";
+    }
+
+    private boolean isConditioned() {
+        return !best.byCondition().isEmpty();
     }
 
     private String along() {
-        WeakestRoute route = best.weakest();
+        WeakestRoute route = best.weakest().route();
         Position from = route.path().points().get(0);
         return PlaceTable.text(
                 "from %.1f, %.1f, %.1f in the %s, %.0f m in %.0f s",
                 from.x(),
                 from.y(),
                 from.z(),
-                CompassPoint.of(best.bearing()),
+                CompassPoint.of(best.weakest().bearing()),
                 route.path().length(),
                 route.seconds());
     }
@@ -61,7 +76,8 @@ final class RouteSentences {
     String lower() {
         return best.lower() > 0.0
                 ? "No route past the layout has an exposure below " + exposure(best.lower()) + " ("
-                        + detected(best.lower()) + "): this is proven."
+                        + detected(best.lower()) + ")" + (isConditioned() ? " under any condition" : "")
+                        + ": this is proven."
                 : "For routes that the search did not find, no lower bound on the exposure is proven.";
     }
 

@@ -17,6 +17,7 @@ import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.cell.Course;
+import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
@@ -37,6 +38,7 @@ import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
+import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
@@ -47,7 +49,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Layouts round a protected zone, on a plain with four boxes, against the weakest routes that {@code route} finds. */
 class WeakestRouteSearchTest {
     /** Radars see all around, but not through boxes; how likely they detect the drone depends on its range. */
-    private static final String CANDIDATES =
+    static final String CANDIDATES =
             """
             scene: site.yaml
             objective: weakest-route
@@ -74,7 +76,7 @@ class WeakestRouteSearchTest {
         return PlacePlan.read(file, runner -> {}, note -> {});
     }
 
-    private static RoutePlacement found(PlacePlan plan) {
+    static RoutePlacement found(PlacePlan plan) {
         Stage stage = plan.runner().stage(plan.present());
         return new WeakestRouteSearch(plan, stage, LayerStore.NONE, new ExactSolver())
                 .found(SolverLimits.NONE, cells -> {}, round -> {});
@@ -82,17 +84,22 @@ class WeakestRouteSearchTest {
 
     /** The exposure on the weakest route past a layout, as {@code route} finds it for the layout as a scene. */
     private static double exposure(PlacePlan plan, RoutePlacement placement, Stage stage, List<Integer> chosen) {
+        return exposure(plan, plan.present(), stage, placement.grid(), chosen);
+    }
+
+    /** The same under a condition. */
+    static double exposure(PlacePlan plan, SceneSettings present, Stage stage, FieldGrid grid, List<Integer> chosen) {
         if (chosen.isEmpty()) {
             return 0.0;
         }
         Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
         chosen.stream().map(plan.candidates()::get).forEach(one -> sensors.put(one.name(), one.sensor()));
-        var scene = SettingsForm.with(plan.present(), Map.of("sensors", sensors, "disabled", Set.of()));
+        var scene = SettingsForm.with(present, Map.of("sensors", sensors, "disabled", Set.of()));
         DetectionField field = FieldAssessment.of(
                 scene,
                 stage,
                 plan.drone(),
-                placement.grid(),
+                grid,
                 Course.all(sensors, DetectionField.droneOf(stage, plan.drone())),
                 FieldTerms.ONE_LOOK.withPointing(FieldTerms.Turning.SEARCH),
                 cells -> {});
@@ -244,7 +251,7 @@ class WeakestRouteSearchTest {
                 read.conditionsFile());
     }
 
-    private static List<Integer> chosen(PlacePlan plan, int choice) {
+    static List<Integer> chosen(PlacePlan plan, int choice) {
         return IntStream.range(0, plan.candidates().size())
                 .filter(one -> (choice >> one & 1) == 1)
                 .boxed()
@@ -270,7 +277,7 @@ class WeakestRouteSearchTest {
         assertThat(placement.chosen()).isNotEmpty();
         assertThat(placement.result().bound())
                 .isGreaterThanOrEqualTo(placement.result().value());
-        assertThat(placement.weakest().seconds()).isPositive();
+        assertThat(placement.weakest().route().seconds()).isPositive();
         assertThat(placement.purchases()).isEmpty();
     }
 

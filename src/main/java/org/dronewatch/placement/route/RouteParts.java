@@ -1,0 +1,33 @@
+package org.dronewatch.placement.route;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.placement.site.PlaceStep;
+import org.dronewatch.placement.site.PresentLayout;
+
+/**
+ * Figures of parts of a layout, and of the scene's own sensors: for each, routes have to be searched for.
+ *
+ * @param alone by the name of each sensor, the value of a layout of that sensor alone; empty if it was not computed
+ * @param withoutEach by the name of each sensor, the value without that sensor; empty if it was not computed
+ * @param purchases the order in which to buy the sensors, after those that are kept; empty if it was not computed
+ * @param present the scene's own sensors; empty if it has none, or they were not assessed
+ */
+public record RouteParts(
+        Map<String, Double> alone,
+        Map<String, Double> withoutEach,
+        List<PlaceStep> purchases,
+        Optional<PresentLayout> present) {
+    /** Without any. */
+    static final RouteParts NONE = new RouteParts(Map.of(), Map.of(), List.of(), Optional.empty());
+
+    /** Copies the lists and maps. */
+    public RouteParts {
+        alone = Collections.unmodifiableMap(new LinkedHashMap<>(alone));
+        withoutEach = Collections.unmodifiableMap(new LinkedHashMap<>(withoutEach));
+        purchases = List.copyOf(purchases);
+    }
+}
