@@ -78,6 +78,7 @@ class RouteCommandTest {
                         "cell_m",
                         "cells_per_side",
                         "heights_m",
+                        "between_cells",
                         "begins_s",
                         "origin",
                         "routes",

@@ -48,7 +48,7 @@ class CoverageWindowTest {
         viewer = Viewer.open(yard, runner, 2, directory.resolve("viewer.properties"));
         panel = viewer.pane().coverage();
         onEventThread(() -> {
-            panel.form().set("2, 6", "50", "1");
+            panel.form().set("2, 6", "50", "2");
             return null;
         });
         viewer.showCoverage();

@@ -19,6 +19,7 @@ import org.dronewatch.route.FlightMode;
 import org.dronewatch.route.ModeField;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.proof.UnseenPlaces;
 import org.dronewatch.route.search.TimeToGo;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -34,7 +35,7 @@ public final class RouteFinder {
     private final TaskProgress shown;
 
     /** The result of a search before the routes are flown. */
-    private record Found(RouteSurvey survey, TimeToGo times) {}
+    private record Found(RouteSurvey survey, UnseenPlaces between, TimeToGo times) {}
 
     /**
      * A search.
@@ -61,6 +62,7 @@ public final class RouteFinder {
         List<ModeField> fields = fields(modes);
         Found found = shown.during("routes", SiteRoutes.SECTORS + 1, progress -> {
             SiteRoutes routes = routes(fields, launch);
+            UnseenPlaces between = UnseenPlaces.of(fields.get(0), inputs.settings());
             TimeToGo times = routes.timeToGo();
             progress.accept(1);
             RouteSurvey survey = RouteSurvey.of(
@@ -68,9 +70,10 @@ public final class RouteFinder {
                     inputs.settings().alert().response(),
                     sector -> progress.accept(1),
                     interruption::letFinish);
-            return new Found(survey, times);
+            return new Found(survey, between, times);
         });
-        return new RouteFlights(runner, inputs, interruption, shown).of(found.survey(), found.times(), flights);
+        return new RouteFlights(runner, inputs, interruption, shown)
+                .of(found.survey(), found.between(), found.times(), flights);
     }
 
     private List<ModeField> fields(List<FlightMode> modes) {

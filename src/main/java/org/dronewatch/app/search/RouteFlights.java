@@ -15,6 +15,7 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.route.proof.UnseenPlaces;
 import org.dronewatch.route.search.TimeToGo;
 import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
@@ -45,11 +46,12 @@ final class RouteFlights {
      * Flies them.
      *
      * @param survey what the search has found
+     * @param between whether the cells of the search are small enough
      * @param times the least times to the end of a route
      * @param runs number of seeds with which each route is flown; 0 for none
      * @return after an interruption, only the routes that were assessed
      */
-    RouteResults of(RouteSurvey survey, TimeToGo times, int runs) {
+    RouteResults of(RouteSurvey survey, UnseenPlaces between, TimeToGo times, int runs) {
         List<SectorRoute> assessed = new ArrayList<>();
         int all = survey.routes().size();
         try {
@@ -71,9 +73,10 @@ final class RouteFlights {
             if (!interruption.happened() || assessed.isEmpty()) {
                 throw e;
             }
-            return new RouteResults(survey.with(assessed, assessed.size() == all), times, proofs, timely, false);
+            return new RouteResults(
+                    survey.with(assessed, assessed.size() == all), between, times, proofs, timely, false);
         }
-        return new RouteResults(survey.with(assessed, true), times, proofs, timely, survey.isComplete());
+        return new RouteResults(survey.with(assessed, true), between, times, proofs, timely, survey.isComplete());
     }
 
     /** Flies some of the proved flights again with cues, if these can make a difference. */

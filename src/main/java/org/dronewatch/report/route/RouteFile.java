@@ -42,6 +42,9 @@ public final class RouteFile {
         root.put("cells_per_side", inputs.grid().columns());
         ArrayNode heights = root.putArray("heights_m");
         inputs.grid().heights().forEach(height -> heights.add(Numbers.rounded(height)));
+        ObjectNode between = root.putObject("between_cells");
+        between.put("tried", results.between().tried());
+        between.put("unseen", results.between().unseen());
         ArrayNode begins = root.putArray("begins_s");
         RouteBegins.of(inputs.settings().enabledSensors().values())
                 .forEach(begin -> begins.add(Numbers.rounded(begin)));

@@ -17,6 +17,7 @@ import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.RouteBegins;
+import org.dronewatch.route.proof.UnseenPlaces;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.PlainText;
@@ -31,7 +32,12 @@ final class RouteNotes {
 
     /** Notes on the results, one line each. */
     List<String> notes(RouteResults results) {
-        return Stream.of(begins(results.survey()), unproven(results.survey()), withoutAlert(results), cued(results))
+        return Stream.of(
+                        begins(results.survey()),
+                        unproven(results.survey()),
+                        unseen(results.between()),
+                        withoutAlert(results),
+                        cued(results))
                 .flatMap(Optional::stream)
                 .toList();
     }
@@ -98,6 +104,17 @@ final class RouteNotes {
                         + " are not excluded: the lower bound of the exposure allows a detection"
                         + (survey.response() > 0.0 ? " in time" : "")
                         + " that is more than 20 percentage points less likely. To look for them, try " + finer()
+                        + ".");
+    }
+
+    /** Whether passages may exist that the search cannot find, since no cell shows them; empty if none is likely. */
+    private Optional<String> unseen(UnseenPlaces between) {
+        return between.unseen() == 0
+                ? Optional.empty()
+                : Optional.of("At " + number(between.unseen()) + " of " + number(between.tried())
+                        + " places tried between the middles of cells, no sensor detects the drone, although all cells"
+                        + " around the place are covered. Passages narrower than a cell, which the search cannot find,"
+                        + " may lead through them, even below the lower bound; to look for passages, try " + finer()
                         + ".");
     }
 

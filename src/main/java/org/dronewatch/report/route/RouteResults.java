@@ -8,12 +8,14 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.TimelyDetection;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.route.proof.UnseenPlaces;
 import org.dronewatch.route.search.TimeToGo;
 
 /**
  * What {@code route} found.
  *
  * @param survey the weakest routes
+ * @param between whether the cells of the search are small enough
  * @param times the shortest times to the end of a route
  * @param proofs by sector, how often flights along its route are detected; empty if no proof was requested
  * @param timely by sector, the probability that an alert on its route is in time by the scene's rule, where it can be
@@ -22,6 +24,7 @@ import org.dronewatch.route.search.TimeToGo;
  */
 public record RouteResults(
         RouteSurvey survey,
+        UnseenPlaces between,
         TimeToGo times,
         Map<Integer, RouteProof> proofs,
         Map<Integer, Double> timely,

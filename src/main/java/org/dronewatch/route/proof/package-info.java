@@ -1,2 +1,5 @@
-/** Routes as scenes that can be run, and how often runs of them detect the drone. */
+/**
+ * Whether the search is right: routes as scenes that can be run, how often runs of them detect the drone, and what lies
+ * between the middles of its cells.
+ */
 package org.dronewatch.route.proof;

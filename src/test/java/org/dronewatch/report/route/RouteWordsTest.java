@@ -22,6 +22,7 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.route.proof.UnseenPlaces;
 import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.route.search.RoutePath;
 import org.dronewatch.route.search.TimeToGo;
@@ -85,7 +86,7 @@ class RouteWordsTest {
         RouteSurvey survey = new RouteSurvey(
                 List.of(route), List.of(new RouteMode("powered", 10, 3, 3, Double.POSITIVE_INFINITY)), END, 15.0, true);
         TimeToGo times = null;
-        return new RouteResults(survey, times, Map.of(), timely, true);
+        return new RouteResults(survey, new UnseenPlaces(4000, 0), times, Map.of(), timely, true);
     }
 
     private static FlownExposure.Step look(double time, double exposure) {
@@ -130,9 +131,15 @@ class RouteWordsTest {
         ProvenChance alert = new ProvenChance(0.4, new Proportion(9, 50));
         RouteProof proof = new RouteProof(detection, Map.of("slow", 0.6), Optional.of(alert), 3, Optional.empty());
         RouteResults results = results(route, Map.of());
-        RouteResults without = new RouteResults(results.survey(), results.times(), Map.of(0, proof), Map.of(), true);
+        RouteResults without = new RouteResults(
+                results.survey(), results.between(), results.times(), Map.of(0, proof), Map.of(), true);
         RouteResults with = new RouteResults(
-                results.survey(), results.times(), Map.of(0, proof.with(new Proportion(33, 50))), Map.of(), true);
+                results.survey(),
+                results.between(),
+                results.times(),
+                Map.of(0, proof.with(new Proportion(33, 50))),
+                Map.of(),
+                true);
 
         assertThat(RouteTable.lines(without, inputs)).noneMatch(line -> line.contains("with cues"));
         assertThat(RouteTable.lines(with, inputs))
@@ -141,7 +148,12 @@ class RouteWordsTest {
                 .anyMatch(line -> line.contains("9 of 50") && line.endsWith("no"))
                 .noneMatch(line -> line.startsWith("With cues"));
         RouteResults more = new RouteResults(
-                results.survey(), results.times(), Map.of(0, proof.with(new Proportion(50, 50))), Map.of(), true);
+                results.survey(),
+                results.between(),
+                results.times(),
+                Map.of(0, proof.with(new Proportion(50, 50))),
+                Map.of(),
+                true);
         assertThat(RouteTable.lines(more, inputs))
                 .contains("With cues, the drone is detected on the route from the north in 50 of 50 flights"
                         + " instead of the predicted 60 %.");

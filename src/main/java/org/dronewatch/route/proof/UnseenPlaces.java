@@ -1,0 +1,41 @@
+package org.dronewatch.route.proof;
+
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.field.FieldSample;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.route.FieldExposure;
+import org.dronewatch.route.ModeField;
+import org.dronewatch.scenario.SceneSettings;
+
+/**
+ * Whether the cells of a search are small enough for its site: at how many of the {@linkplain FieldSample places} tried
+ * between the middles of the cells no sensor detects the drone, although each of the cells around them is detected, so
+ * that even the lower bound of the exposure counts on it. A passage that is narrower than a cell may lead there.
+ *
+ * @param tried number of places at which the drone can be
+ * @param unseen number of those at which no sensor detects it, but the lower bound counts on a detection
+ */
+public record UnseenPlaces(int tried, int unseen) {
+    /**
+     * Tries the places between the cells of a field.
+     *
+     * @param flown the mode of flight with its field of single looks
+     * @param settings settings of the scene
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static UnseenPlaces of(ModeField flown, SceneSettings settings) {
+        FieldExposure exposure = FieldExposure.of(flown, settings);
+        FieldSample sample = FieldSample.of(flown.field());
+        int[] open =
+                IntStream.range(0, FieldSample.COUNT).filter(sample::isOpen).toArray();
+        long unseen = IntStream.of(open)
+                .filter(sample::isUndetected)
+                .filter(place -> isCountedOn(exposure, sample.position(place)))
+                .count();
+        return new UnseenPlaces(open.length, (int) unseen);
+    }
+
+    private static boolean isCountedOn(FieldExposure exposure, Position at) {
+        return exposure.least(at, at, 0) > 0.0;
+    }
+}
