@@ -71,7 +71,7 @@ final class AgainCommand implements Callable<Integer> {
         if (out != null) {
             Path target = PathWord.of("--out", out);
             if (Files.exists(target)) {
-                throw new InputException("--out " + PlainText.value(out) + ": already exists: name a new directory");
+                throw new InputException("--out " + PlainText.value(out) + ": already exists: choose a new directory");
             }
             return repeat(given, recorded, replay, target);
         }

@@ -183,7 +183,7 @@ final class CalibrateCommand implements Callable<Integer> {
                     + " must be 1 to 64 letters, digits, '-' or '_', so that 'use' can name it");
         }
         if (choice.isSceneFile(target.path())) {
-            throw new InputException(asked + "is the scene file itself; name another file");
+            throw new InputException(asked + "is the scene file itself; choose another file");
         }
         return target.replacingOnly(CalibratedEntry.FIRST_LINE, "'calibrate'");
     }

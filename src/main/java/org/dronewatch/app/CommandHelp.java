@@ -13,7 +13,7 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 
 /** What the help of each command says beside its options: the exit codes, and examples that can be typed as shown. */
 final class CommandHelp {
-    private static final String FAILED = "there was an internal error, or memory ran out";
+    private static final String FAILED = "internal error, or out of memory";
 
     /** What code 1 means where it may also be a result. */
     private static final Map<String, String> VERDICTS = Map.of(
@@ -60,10 +60,10 @@ final class CommandHelp {
         Map<String, String> codes = new LinkedHashMap<>();
         codes.put("  0", "done");
         codes.put("  " + ExitCode.FAILED, VERDICTS.getOrDefault(command.name(), FAILED));
-        codes.put("  " + ExitCode.BAD_INPUT, "wrong usage or bad input: a line on standard error for each mistake");
+        codes.put("  " + ExitCode.BAD_INPUT, "invalid usage or input: a line on standard error for each mistake");
         // 'render --view' draws a picture without a window.
         if (opensWindows && !command.name().equals("render")) {
-            codes.put("  " + ExitCode.NO_DISPLAY, "there is no display for a window");
+            codes.put("  " + ExitCode.NO_DISPLAY, "no display for a window");
         }
         codes.put("130", "interrupted by Ctrl-C");
         codes.put("143", "terminated by SIGTERM");

@@ -137,7 +137,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
      *
      * @param out destination of results
      * @param err destination of messages
-     * @return 0 done, 2 wrong usage or bad input, 3 no display, 1 anything else
+     * @return 0 done, 2 invalid usage or input, 3 no display, 1 anything else
      */
     public static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         return execute(out, err, CampaignCluster.NONE, arguments);

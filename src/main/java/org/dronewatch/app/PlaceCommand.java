@@ -43,7 +43,7 @@ import picocli.CommandLine.Spec;
         name = "place",
         mixinStandardHelpOptions = true,
         description =
-                "Chooses, from the sensors that can be bought and the places where they can stand, those that cover the"
+                "Chooses, from the sensors that can be bought and the places where they can be installed, those that cover the"
                         + " most airspace within a budget, give the longest warning, or expose drones most on their weakest"
                         + " route; prints the layout, a bound on what any other could achieve, and the order in which to"
                         + " buy its sensors.",

@@ -77,7 +77,8 @@ final class SaveCommand implements Callable<Integer> {
         }
         WholeFile target = new WholeFile("--out", out);
         if (choice.isSceneFile(target.path())) {
-            throw new InputException("--out " + PlainText.value(out) + ": is the scene file itself; name another file");
+            throw new InputException(
+                    "--out " + PlainText.value(out) + ": is the scene file itself; choose another file");
         }
         target = target.replacingOnly(SceneWriter.FIRST_LINE, "'save'");
         Scene scene = choice.create();

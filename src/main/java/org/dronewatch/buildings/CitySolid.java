@@ -13,7 +13,7 @@ import org.maplibre.earcut4j.Earcut;
  *
  * @param corners three numbers of vertices for each triangle
  * @param floor how many of the triangles were added as a floor
- * @param isClosed whether each side of a triangle is one of another, the other way round
+ * @param isClosed whether each side of a triangle is one of another, the other way around
  * @param isWhole whether the triangles cover all surfaces
  */
 record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
@@ -118,7 +118,7 @@ record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
         return (long) from << 32 | to;
     }
 
-    /** The sides that no other triangle has the other way round, and how often. */
+    /** The sides that no other triangle has the other way around, and how often. */
     static Map<Long, Integer> open(int[] corners) {
         Map<Long, Integer> sides = new LinkedHashMap<>();
         for (int i = 0; i < corners.length; i += 3) {
@@ -143,7 +143,7 @@ record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
     private static boolean addFloor(Map<Long, Integer> open, double[] vertices, Ints target) {
         Map<Integer, Integer> back = new HashMap<>();
         for (Long side : open.keySet()) {
-            // A floor has the sides the other way round.
+            // A floor has the sides the other way around.
             if (back.put(side.intValue(), (int) (side >> 32)) != null) {
                 return true;
             }

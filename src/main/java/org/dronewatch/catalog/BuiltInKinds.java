@@ -64,7 +64,7 @@ public final class BuiltInKinds implements KindGroup {
                 flight("waypoints", FlightPathSettings.Waypoints.class, "flies from waypoint to waypoint"),
                 flight("route", RouteFlight.class, "flies straight legs without stopping, each at its own speed"),
                 flight("glide", FlightPathSettings.Glide.class, "climbs under power, then glides without motors"),
-                flight("orbit", FlightPathSettings.Orbit.class, "flies level circles round a point"),
+                flight("orbit", FlightPathSettings.Orbit.class, "flies level circles around a point"),
                 flight("terrain-following", TerrainFollowing.class, "flies low over the ground, from point to point"),
                 flight("low-approach", LowApproach.class, "flies low over the ground towards a target"),
                 flight("dive", Dive.class, "flies level towards a target, then dives onto it"),

@@ -13,8 +13,8 @@ import org.dronewatch.setting.Check;
  * its position is never set, but follows from its start and its velocities. The past of the flight is kept, because a
  * microphone hears the drone where it was; the future is not known, and querying it fails.
  *
- * <p>A command takes effect from its time on, that time included. Of several commands at the same time, the last one
- * takes effect. A command at a time at which sensors have already looked, in response to their observations, takes
+ * <p>A command takes effect from its time on, that time included. If several commands have the same time, the last
+ * one takes effect. A command at a time at which sensors have already looked, in response to their observations, takes
  * effect at the next instant that a double can represent, so that these observations remain valid. Only the thread that
  * runs the scene may steer, since a command from any other thread would take effect at whatever time the run happened
  * to have reached; any thread may query the flight.

@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.PriorityQueue;
 
 /**
- * Lets water cut valleys and soil creep round the crests. Each step drains every cell to its lowest neighbour, lowers
+ * Lets water cut valleys and soil creep around the crests. Each step drains every cell to its lowest neighbour, lowers
  * it in proportion to slope and to the square root of the area drained through it (the stream power law, solved
  * implicitly from the outlets upward as Braun and Willett describe), and then diffuses the heights a little.
  */

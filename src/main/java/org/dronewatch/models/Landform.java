@@ -64,7 +64,7 @@ final class Landform {
         return folded * Math.abs(folded);
     }
 
-    /** Depth of the valley that winds from the north-west corner round the south of the hill to the east. */
+    /** Depth of the valley that winds from the north-west corner around the south of the hill to the east. */
     private static double riverValley(double x, double y) {
         double course = -330 - 0.00055 * (x + 40) * (x + 40) * StrictMath.tanh(x / 300) + 55 * StrictMath.sin(x / 120);
         double aside = (y - course) / 85;

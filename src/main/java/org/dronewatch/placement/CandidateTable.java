@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Candidates and what each contributes to every row of a sparse matrix. A row stands for whatever is to be served: a
+ * Candidates and what each contributes to every row of a sparse matrix. A row represents whatever is to be served: a
  * cell of the air, a scenario, a customer. Immutable.
  */
 public final class CandidateTable {

@@ -63,7 +63,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
 
     /**
      * The mean number of looks up to a time that detect the drone, for pictures of where they do. A look of one flight
-     * stands for those at any moment since that of the flight before: it is spread evenly over this part of the time
+     * represents those at any moment since that of the flight before: it is spread evenly over this part of the time
      * since the sensor's previous look.
      */
     double hitsUntil(double time) {

@@ -20,7 +20,7 @@ import org.dronewatch.sensor.SensorSettings;
  * independent has the rate {@code -f ln(1 - p)}, where p counts as 1 - 1e-6 at most, so that all rates are finite. One
  * whose chance is drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see {@link
  * Chance#hazard}): the resulting probability of detection is not too low. Where levels are interpolated, a probability
- * between 0 and 1 stands for what is not known about a place, and all looks there have the same outcome: only three of
+ * between 0 and 1 represents what is not known about a place, and all looks there have the same outcome: only three of
  * them per distance between traced positions count as independent.
  *
  * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds

@@ -13,7 +13,7 @@ import tools.jackson.databind.json.JsonMapper;
  */
 public final class PackagedTexts implements SettingTexts {
     /**
-     * Resource file next to this class; maps class name, then component name, to text (the empty name stands for the
+     * Resource file next to this class; maps class name, then component name, to text (the empty name represents the
      * record).
      */
     private static final String FILE = "texts.json";

@@ -113,7 +113,7 @@ final class ValueSchema {
     }
 
     /**
-     * Allows a value as a list of numbers, as one text, by name, as one number where that stands for all, or in another
+     * Allows a value as a list of numbers, as one text, by name, as one number where that represents all, or in another
      * form.
      */
     private ObjectNode numbers(Class<?> type, List<Kinds.OtherForm> others) {

@@ -16,7 +16,7 @@ import org.dronewatch.setting.InputException;
 /**
  * A drone during a run, at the simulator's time: its state, and commands if its flight is {@code steered}. A command
  * takes effect now and holds until the next one; between two commands, velocity and attitude are constant, and the
- * position follows from them. Of several commands at the same time, the last one takes effect. A command from a
+ * position follows from them. If several commands have the same time, the last one takes effect. A command from a
  * listener of a scene's observations takes effect just after that look.
  *
  * <p>Only the thread that runs the scene may give commands, in a pilot, in events of the simulator or in listeners: a

@@ -34,7 +34,7 @@ final class SceneModels {
         this.models = models;
     }
 
-    /** Warns of weather and light that change nothing that is detected, and of odd settings of sensors. */
+    /** Warns about weather and light that change nothing that is detected, and of odd settings of sensors. */
     void adviseOnConditions() {
         ConditionAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);
         SensorAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);

@@ -95,7 +95,7 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
         return isSearching && !isSuccessful(look, drone, rate, probability) ? Double.POSITIVE_INFINITY : able;
     }
 
-    /** Whether a search succeeds in the time that a look stands for: with {@code 1 - exp(-P time / 3.4 s)}. */
+    /** Whether a search succeeds in the time that a look represents: with {@code 1 - exp(-P time / 3.4 s)}. */
     private static boolean isSuccessful(Look look, String drone, double rate, double probability) {
         // Nobody has searched before the run begins.
         double time = Math.min(1.0 / rate, look.time());

@@ -59,7 +59,7 @@ final class PlaceMenu {
         add(menu, "Tilt down", "Tilts the selected sensor down by 5 degrees", 'G', () -> mover.turn(0, -TURN));
         menu.addSeparator();
         menu.add(ViewerMenus.item(
-                "Undo", "Undoes the last change of a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
+                "Undo", "Undoes the last change to a sensor", ViewerActions.menuKey(KeyEvent.VK_Z), placing::undo));
         menu.add(ViewerMenus.item(
                 "Redo",
                 "Redoes the last change that was undone",

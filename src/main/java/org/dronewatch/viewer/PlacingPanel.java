@@ -65,7 +65,7 @@ final class PlacingPanel extends JPanel {
         this.mover = new SensorMover(layout, this::tell);
         JPanel rows = new JPanel(new GridLayout(0, 1));
         rows.add(CoverageForm.row(
-                CoverageForm.named("Sensor", sensors, "The sensor that is placed"), sensors, undo, redo, reset));
+                CoverageForm.named("Sensor", sensors, "The sensor to be placed"), sensors, undo, redo, reset));
         rows.add(CoverageForm.row(
                 CoverageForm.named("East (m)", east, "Distance east of the origin"),
                 east,
@@ -91,7 +91,7 @@ final class PlacingPanel extends JPanel {
     }
 
     private void listen(Consumer<String> selection) {
-        undo.setToolTipText("Undoes the last change of a sensor");
+        undo.setToolTipText("Undoes the last change to a sensor");
         redo.setToolTipText("Redoes the last change that was undone");
         reset.setToolTipText("Moves all sensors back to their places in the scene; can be undone");
         save.setToolTipText("Writes a scene file with the sensors as they are now");

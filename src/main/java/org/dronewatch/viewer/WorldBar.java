@@ -34,7 +34,7 @@ final class WorldBar extends JToolBar {
         slider.setMaximumSize(Scaled.size(180, 40));
         slider.setPreferredSize(Scaled.size(130, 24));
         slider.setToolTipText(
-                "Hides everything above this height to reveal interiors; drag fully right to show everything");
+                "Hides everything above this height to reveal interiors; drag all the way to the right to show everything");
         slider.getAccessibleContext().setAccessibleName("cut height");
         slider.addChangeListener(e -> {
             if (!updating) {

@@ -379,8 +379,8 @@ class CalibrateCommandTest {
     void onlyWhatCalibrateWroteIsReplaced() throws IOException {
         Path file = directory.resolve("fitted.yaml");
         Files.writeString(file, "title: mine\n");
-        String refusal =
-                "--out " + file + ": already exists, and 'calibrate' did not write it: name another file, or delete it";
+        String refusal = "--out " + file
+                + ": already exists, and 'calibrate' did not write it: choose another file, or delete it";
         assertThat(calibrate("rf", "100 m")).satisfies(outcome -> {
             assertThat(outcome.code()).isEqualTo(2);
             assertThat(outcome.complaints()).containsExactly(refusal);
@@ -511,7 +511,7 @@ class CalibrateCommandTest {
                 Program.run("calibrate", scene, "--sensor", "rf", "--drone", "drone", "--range", "9 m", "--out", scene);
 
         assertThat(outcome.code()).isEqualTo(2);
-        assertThat(outcome.err()).contains("is the scene file itself; name another file");
+        assertThat(outcome.err()).contains("is the scene file itself; choose another file");
         assertThat(Files.readString(Path.of(scene))).isEqualTo(before);
     }
 

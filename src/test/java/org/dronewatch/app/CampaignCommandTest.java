@@ -107,7 +107,7 @@ class CampaignCommandTest {
         assertThat(json("whole/campaign.json").get("pairs").get(2).get("p").asDouble())
                 .isEqualTo(1.0);
         assertThat(Files.readString(directory.resolve("whole/report.html")))
-                .contains("It remains open which is better: the difference between far and near,")
+                .contains("It is not clear which is better: the difference between far and near,")
                 .contains("is no more than chance can explain (p = 1.000).");
     }
 
@@ -210,9 +210,9 @@ class CampaignCommandTest {
         String before = Files.readString(two);
 
         Files.writeString(two, before.replace("0 1 0", "0 2 0"));
-        refused(Program.run(command), "holds another campaign: name another directory");
+        refused(Program.run(command), "holds another campaign: choose another directory");
         Files.delete(two);
-        refused(Program.run(command), "holds another campaign: name another directory");
+        refused(Program.run(command), "holds another campaign: choose another directory");
         Files.writeString(two, before);
         assertThat(Program.run(command).code()).isZero();
     }
@@ -228,13 +228,13 @@ class CampaignCommandTest {
             Path changed = changing.resolve(name);
             String before = Files.readString(changed);
             Files.writeString(changed, before.replace("600", "601").replace("900", "901"));
-            refused(Program.run(command), "holds another campaign: name another directory");
+            refused(Program.run(command), "holds another campaign: choose another directory");
             Files.writeString(changed, before);
         }
         Path plan = changing.resolve("out/plan.json");
         String text = Files.readString(plan);
         Files.writeString(plan, text.replaceFirst("\"hash\" : \"..", "\"hash\" : \"__"));
-        refused(Program.run(command), "holds another campaign: name another directory");
+        refused(Program.run(command), "holds another campaign: choose another directory");
         Files.writeString(plan, text);
         assertThat(Program.run(command).code()).isZero();
     }

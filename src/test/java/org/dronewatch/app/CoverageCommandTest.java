@@ -414,7 +414,7 @@ class CoverageCommandTest {
         Outcome outcome = Program.run(
                 "coverage", directory.resolve("site.yaml").toString(), "--side=40", "--cell=20", "--out=" + run);
         assertThat(outcome.code()).isEqualTo(2);
-        assertThat(outcome.err()).contains("run holds the results of a run", "name another directory");
+        assertThat(outcome.err()).contains("run holds the results of a run", "choose another directory");
         assertThat(names(run)).containsExactly("result.json");
     }
 
@@ -424,7 +424,7 @@ class CoverageCommandTest {
         Files.writeString(field.resolve("coverage.json"), "{}");
         Outcome outcome = Program.run("run", directory.resolve("site.yaml").toString(), "--out=" + field);
         assertThat(outcome.code()).isEqualTo(2);
-        assertThat(outcome.err()).contains("a-field holds the results of 'coverage'", "name another directory");
+        assertThat(outcome.err()).contains("a-field holds the results of 'coverage'", "choose another directory");
         assertThat(names(field)).containsExactly("coverage.json");
     }
 

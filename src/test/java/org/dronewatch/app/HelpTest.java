@@ -97,14 +97,13 @@ class HelpTest {
         assertThat(help)
                 .containsSubsequence("Usage: dronewatch " + command, "-q, --quiet", "-v, --verbose", "Exit codes:")
                 .containsPattern("\n +0 +done\n")
-                .containsPattern("\n +1 +.*an internal error")
-                .containsPattern("\n +2 +wrong usage or bad input")
+                .containsPattern("\n +1 +.*internal error")
+                .containsPattern("\n +2 +invalid usage or input")
                 .containsPattern("\n +130 +")
                 .containsPattern("\n +143 +");
         boolean opensWindows =
                 Set.of("view", "run", "route", "campaign", "compare").contains(command);
-        assertThat(Pattern.compile("\n +3 +there is no display").matcher(help).find())
-                .isEqualTo(opensWindows);
+        assertThat(Pattern.compile("\n +3 +no display").matcher(help).find()).isEqualTo(opensWindows);
     }
 
     /** Of the exit codes, 1 is also a verdict for some commands; the help says for which. */

@@ -62,7 +62,7 @@ class SaveCommandTest {
             for (String out : List.of("scene.yaml", "link.yaml")) {
                 assertThat(command(2, Stream.of("save", path(scene), "--set", "run.seed=9", "--out", path(out))))
                         .isEqualToIgnoringNewLines(
-                                "--out " + path(out) + ": is the scene file itself; name another file");
+                                "--out " + path(out) + ": is the scene file itself; choose another file");
             }
         }
         assertThat(text("scene.yaml")).isEqualTo(before);
@@ -75,7 +75,7 @@ class SaveCommandTest {
         for (String out : List.of("mine.yaml", "link.yaml")) {
             assertThat(command(2, Stream.of("save", "camera-range", "--out", path(out))))
                     .isEqualToIgnoringNewLines("--out " + path(out)
-                            + ": already exists, and 'save' did not write it: name another file, or delete it");
+                            + ": already exists, and 'save' did not write it: choose another file, or delete it");
         }
         assertThat(text("mine.yaml")).startsWith("# my scene\n");
 
@@ -97,7 +97,7 @@ class SaveCommandTest {
         Path lost = Files.createSymbolicLink(directory.resolve("lost.yaml"), Path.of("nowhere.yaml"));
         assertThat(command(2, Stream.of("save", "camera-range", "--out", lost.toString())))
                 .isEqualToIgnoringNewLines("--out " + lost
-                        + ": is a link to a file that does not exist: name another file, or delete the" + " link");
+                        + ": is a link to a file that does not exist: choose another file, or delete the" + " link");
         assertThat(directory.resolve("nowhere.yaml")).doesNotExist();
     }
 

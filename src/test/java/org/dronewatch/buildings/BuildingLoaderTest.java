@@ -78,7 +78,7 @@ class BuildingLoaderTest {
                 mesh.coordinate(triangle, corner, 2));
     }
 
-    /** Each side of a triangle is a side of exactly one other, the other way round. */
+    /** Each side of a triangle is a side of exactly one other, the other way around. */
     static void assertClosed(TriangleMesh mesh) {
         Map<String, Integer> sides = new HashMap<>();
         for (int i = 0; i < mesh.triangleCount(); i++) {

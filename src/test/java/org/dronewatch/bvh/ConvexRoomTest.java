@@ -63,7 +63,7 @@ class ConvexRoomTest {
         int[] turned = WALLS.clone();
         turned[3] = 3;
         turned[4] = 0;
-        assertThat(walls(BOX, turned)).as("a triangle the other way round").isEqualTo(6);
+        assertThat(walls(BOX, turned)).as("a triangle the other way around").isEqualTo(6);
     }
 
     @Test

@@ -66,7 +66,7 @@ public final class MarginCode {
         return kind | tenths + MOST;
     }
 
-    /** The margin that a number stands for. */
+    /** The margin that a number represents. */
     public static Margin margin(int code) {
         double db = (double) ((code & TENTHS) - MOST) / PER_DB;
         return switch (code & ~TENTHS) {

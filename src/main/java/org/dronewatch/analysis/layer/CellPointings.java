@@ -14,7 +14,7 @@ import org.dronewatch.sensor.Assessor;
  * @param passes the positions in this list at which the drone enters the field of view: before each of them, it was
  *     outside
  * @param phases for each of the pointings, the number of its phase of the search
- * @param share fraction of the time that they stand for, 0 to 1
+ * @param share fraction of the time that they represent, 0 to 1
  * @param away a pointing in which it cannot see the drone, if the fraction is less than 1
  */
 public record CellPointings(

@@ -82,13 +82,13 @@ public record FieldProbe(
         return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, map, false);
     }
 
-    /** This probe with other courses, as many. */
+    /** This probe with the same number of other courses. */
     public FieldProbe on(List<Course> others) {
         return new FieldProbe(
                 world, drone, sensor, settings, seed, others, terms, search, assessor, excess, isExactAlone);
     }
 
-    /** This probe of a signal that could be interpolated, by what arrives along exact paths alone. */
+    /** This probe, for a signal that could be interpolated, with only what arrives along exact paths. */
     public FieldProbe onExactPaths() {
         return new FieldProbe(
                 world, drone, sensor, settings, seed, courses, terms, search, assessor, Optional.empty(), true);
@@ -169,7 +169,7 @@ public record FieldProbe(
     }
 
     /**
-     * The probability on the terms of the field. Where signals are interpolated, a probability stands for what is not
+     * The probability on the terms of the field. Where signals are interpolated, a probability represents what is not
      * known, and is the same for any number of looks.
      */
     private double onTerms(double[] looks, CellPointings pointings, double mean) {

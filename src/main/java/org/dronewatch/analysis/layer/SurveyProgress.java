@@ -21,7 +21,7 @@ final class SurveyProgress {
     /**
      * The progress of the survey of one sensor: nothing for one whose signal is not interpolated.
      *
-     * @param progress receives the number of cells that the positions stand for since the last call
+     * @param progress receives the number of cells that the positions represent since the last call
      */
     static SurveyProgress of(FieldProbe probe, FieldColumns columns, IntConsumer progress) {
         long cells = (long) columns.columns() * columns.rows() * columns.levels();

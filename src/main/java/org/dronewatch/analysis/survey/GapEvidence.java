@@ -19,7 +19,7 @@ import org.dronewatch.sensor.Cause;
  * Why one sensor does not cover the cells of a gap, on the course that counts in each.
  *
  * @param sensor name of the sensor
- * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} stands for a
+ * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} represents a
  *     probability that is too low
  * @param examined a few cells for each cause, spread evenly over the cells with that cause and assessed again, with
  *     what hides the drone, and by how much its signal is too weak

@@ -71,7 +71,7 @@ public final class ModelLoader {
         }
     }
 
-    /** A warning about a model in millimetres that is read in metres, or the other way round; otherwise nothing. */
+    /** A warning about a model in millimetres that is read in metres, or the other way around; otherwise nothing. */
     private static String doubtAboutSize(LoadedModel model, ModelRole role) {
         AABB box = model.mesh().bounds();
         double high = box.maxZ() - box.minZ();

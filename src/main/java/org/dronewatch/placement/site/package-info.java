@@ -1,5 +1,5 @@
 /**
- * The best layout of sensors at a real site: where sensors may stand, what each covers, and the scene with the best
- * layout.
+ * The best layout of sensors at a real site: where sensors may be installed, what each covers, and the scene with the
+ * best layout.
  */
 package org.dronewatch.placement.site;

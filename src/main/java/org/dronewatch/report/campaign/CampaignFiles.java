@@ -103,14 +103,14 @@ public final class CampaignFiles implements AutoCloseable {
         }
         if (Files.exists(known)) {
             if (!file.isSameAs(known)) {
-                throw new InputException(asked() + " holds another campaign: name another directory");
+                throw new InputException(asked() + " holds another campaign: choose another directory");
             }
             if (!resume) {
                 throw new InputException(asked()
-                        + " already holds this campaign: add --resume to complete it, or name another directory");
+                        + " already holds this campaign: add --resume to complete it, or choose another directory");
             }
         } else if (Files.isDirectory(directory) && !isEmpty()) {
-            throw new InputException(asked() + " holds other files: name a new directory");
+            throw new InputException(asked() + " holds other files: choose a new directory");
         }
     }
 

@@ -67,8 +67,8 @@ final class PairWords {
                         ? ", and less often with the other" + (ranked.size() == MOST_NAMED + 1 ? "" : "s")
                         : "")
                 + (ranked.size() == 1
-                        ? ". The 95 % confidence interval of the probability is in brackets."
-                        : ". The 95 % confidence intervals of the probabilities are in brackets.");
+                        ? ". The 95 % confidence interval of the probability is in parentheses."
+                        : ". The 95 % confidence intervals of the probabilities are in parentheses.");
     }
 
     /** Whether the best variant is better than the next; empty where there are no two. */
@@ -94,7 +94,7 @@ final class PairWords {
         String of = " difference between " + first + " and " + second + ", "
                 + ShareWords.difference(difference, !pair.a().equals(first)) + ", is ";
         return isChance(difference)
-                ? "It remains open which is better: the" + of + "no more than chance can explain ("
+                ? "It is not clear which is better: the" + of + "no more than chance can explain ("
                         + ShareWords.p(difference) + ")."
                 : "The better variant is " + first + ": the" + of + "more than chance can explain ("
                         + ShareWords.p(difference) + ").";

@@ -51,7 +51,7 @@ final class VariantTables {
         });
         return Html.plain(
                         "p",
-                        "The 95 % confidence intervals of the probabilities are in brackets, and drawn as whiskers. The"
+                        "The 95 % confidence intervals of the probabilities are in parentheses, and drawn as whiskers. The"
                                 + " bars show in how many cases " + ShareWords.clause(headline) + ".")
                 + Html.table(head, rows)
                 + bars.svg();

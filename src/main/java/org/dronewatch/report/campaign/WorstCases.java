@@ -24,8 +24,8 @@ final class WorstCases {
 
     private static final String RULE = "The worst case is one in which the drone is not detected; failing that, one"
             + " in which no alert is raised, with the shortest range of first detection; failing that, the"
-            + " one with the shortest warning time or, where nothing is protected, the shortest range. Of"
-            + " several, it is the one in which the drone comes closest to what is protected, and of these the first.";
+            + " one with the shortest warning time or, where nothing is protected, the shortest range. If"
+            + " several are alike, it is the one in which the drone comes closest to what is protected, and of these the first.";
 
     private static final Comparator<CaseResult> WORST_FIRST = Comparator.comparing(
                     (CaseResult result) -> result.firstDetected().isPresent())

@@ -47,7 +47,7 @@ public final class CauseMap {
                 + " why not.");
     }
 
-    /** What the colours stand for: detection as it is asked for, and elsewhere the causes of a missed look. */
+    /** What the colours represent: detection as it is asked for, and elsewhere the causes of a missed look. */
     private void writeMeaning(MapSheet sheet) {
         if (!inputs.hasDefaultProbability()) {
             sheet.line("detection" + within() + " with a probability of");

@@ -112,7 +112,7 @@ final class CoverageReport {
         List<HeightSummary> known =
                 summary.heights().stream().filter(height -> height.known() > 0).toList();
         if (known.isEmpty()) {
-            return "Nothing is known of the area.";
+            return "Nothing is known about the area.";
         }
         HeightSummary least = known.get(0);
         HeightSummary most = least;

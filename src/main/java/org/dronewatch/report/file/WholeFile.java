@@ -91,11 +91,11 @@ public final class WholeFile {
         }
         if (!Files.exists(file)) {
             throw new InputException(
-                    asked + ": is a link to a file that does not exist: name another file, or delete the link");
+                    asked + ": is a link to a file that does not exist: choose another file, or delete the link");
         }
         if (!firstLine.matcher(firstLine()).matches()) {
             throw new InputException(
-                    asked + ": already exists, and " + writer + " did not write it: name another file, or delete it");
+                    asked + ": already exists, and " + writer + " did not write it: choose another file, or delete it");
         }
         try {
             return new WholeFile(asked, file.toRealPath());

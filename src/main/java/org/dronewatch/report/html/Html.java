@@ -41,7 +41,7 @@ public final class Html {
         return "<div class=\"wide\">" + table + "</div>\n";
     }
 
-    /** A table of two columns without a header row: names and what they stand for. */
+    /** A table of two columns without a header row: names and what they represent. */
     public static String definitions(Map<String, String> texts) {
         StringBuilder rows = new StringBuilder();
         texts.forEach((name, text) ->

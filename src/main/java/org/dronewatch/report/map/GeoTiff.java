@@ -49,7 +49,7 @@ public final class GeoTiff {
     private static final int CLASSES = 256;
     private static final int NO_COUNT = 65_535;
 
-    /** Tags that are not in the sets of the JDK: GDAL's text of the value that stands for none. */
+    /** Tags that are not in the sets of the JDK: GDAL's text of the value that represents none. */
     private static final int NODATA = 42113;
 
     private static final int PROJECTED = 1;

@@ -156,8 +156,8 @@ final class PlaceReport {
         }
         return Html.plain(
                         "p",
-                        "Each row is the best layout that was found for its cost, in a separate search; a dearer layout"
-                                + " need not contain a cheaper one. No layout for that money can exceed the upper"
+                        "Each row is the best layout that was found for its cost, in a separate search; a more"
+                                + " expensive layout need not contain a cheaper one. No layout for that money can exceed the upper"
                                 + " bound. 'Change' states what is bought, and where most is gained, as seen from the"
                                 + " middle of the area.")
                 + Html.table(

@@ -83,7 +83,7 @@ final class WarningChapter {
                         + best.grid().heights().stream()
                                 .map(height -> number(height))
                                 .collect(Collectors.joining(", "))
-                        + " m above the ground, and is looked for every "
+                        + " m above the ground, and the sensors look for it every "
                         + number(best.grid().cell()) + " m: a sensor that sees it over a shorter distance may be"
                         + " missed.",
                 PlaceReport.flight(plan),

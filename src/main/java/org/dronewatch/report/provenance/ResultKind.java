@@ -46,8 +46,9 @@ public enum ResultKind {
         for (ResultKind other : values()) {
             for (String sign : other.signs) {
                 if (other != this && Files.isRegularFile(target.resolve(sign))) {
-                    throw new InputException("output directory " + PlainText.value(target) + " holds the results of "
-                            + other.words + " (" + sign + "), some of which would be replaced: name another directory");
+                    throw new InputException(
+                            "output directory " + PlainText.value(target) + " holds the results of " + other.words
+                                    + " (" + sign + "), some of which would be replaced: choose another directory");
                 }
             }
         }

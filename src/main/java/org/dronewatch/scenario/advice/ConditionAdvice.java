@@ -22,7 +22,7 @@ import org.dronewatch.world.Light;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Warns of weather, light and drone sounds that have no effect, because the models of a scene's sensors do not take
+ * Warns about weather, light and drone sounds that have no effect, because the models of a scene's sensors do not take
  * them into account.
  */
 public final class ConditionAdvice {

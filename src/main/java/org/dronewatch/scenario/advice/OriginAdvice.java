@@ -6,7 +6,7 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Warns of a latitude or longitude that was probably written without a unit, and is therefore taken as radians.
+ * Warns about a latitude or longitude that was probably written without a unit, and is therefore taken as radians.
  *
  * @param origin of the scene
  */

@@ -9,7 +9,7 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Warns of a sensor's positioner if its settings are implausible, although they are valid.
+ * Warns about a sensor's positioner if its settings are implausible, although they are valid.
  *
  * @param scene the scene that it belongs to
  * @param id name of the sensor

@@ -6,7 +6,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.alarm.FalseAlarming;
 
-/** Warns of sensors whose settings are implausible, although they are valid. */
+/** Warns about sensors whose settings are implausible, although they are valid. */
 public final class SensorAdvice {
     private SensorAdvice() {}
 

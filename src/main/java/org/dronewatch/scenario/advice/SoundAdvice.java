@@ -7,8 +7,8 @@ import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSounds;
 
 /**
- * Warns of a drone's sound that combines measured and other data: it has the spectrum of a measured drone, but not its
- * directivity, or not its loudness.
+ * Warns about a drone's sound that combines measured and other data: it has the spectrum of a measured drone, but not
+ * its directivity, or not its loudness.
  *
  * @param id name of the drone
  * @param drone whose sound it is

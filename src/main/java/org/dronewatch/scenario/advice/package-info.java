@@ -1,2 +1,2 @@
-/** Hints about settings that are valid, but hardly what was meant. */
+/** Hints about settings that are valid, but probably not what was meant. */
 package org.dronewatch.scenario.advice;

@@ -167,7 +167,7 @@ public record AcousticSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} They stand for bearing and elevation; a single microphone measures no direction. */
+    /** {@inheritDoc} They represent bearing and elevation; a single microphone measures no direction. */
     @Override
     public int dimensions() {
         return findsDirections() ? 2 : 0;

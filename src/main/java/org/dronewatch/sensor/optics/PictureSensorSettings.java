@@ -152,7 +152,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} They stand for the column and the row of the image. */
+    /** {@inheritDoc} They represent the column and the row of the image. */
     @Override
     default int dimensions() {
         return 2;

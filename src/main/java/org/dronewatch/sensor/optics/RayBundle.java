@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
 
 /**
  * The rays of a {@link VisibleArea}: a bundle over the square around a drone's bounding sphere. What does not depend on
- * how the drone turns is found once for each ray and place: how many pixels it stands for, and whether the site is in
+ * how the drone turns is found once for each ray and place: how many pixels it represents, and whether the site is in
  * its way. Not thread-safe.
  */
 final class RayBundle {
@@ -49,7 +49,7 @@ final class RayBundle {
     private final double[] parts = new double[RAYS];
     private final byte[] sights = new byte[RAYS];
 
-    // The bundle: its middle, which has length 1, its axes, and what a ray stands for in the plane 1 m away.
+    // The bundle: its middle, which has length 1, its axes, and what a ray represents in the plane 1 m away.
     private Position vector;
     private double range;
     private double reach;
@@ -180,7 +180,7 @@ final class RayBundle {
         return start + visibility.distance() < nearest ? HIDDEN : UNCERTAIN;
     }
 
-    /** How many pixels a ray stands for, if it shows the drone; none outside the image. */
+    /** How many pixels a ray represents, if it shows the drone; none outside the image. */
     double part(int ray) {
         if (Double.isNaN(parts[ray])) {
             aim(ray);

@@ -28,8 +28,8 @@ import org.dronewatch.world.World;
  * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter if the settings
  * have clutter, after the notch if there is one; minus infinity for a drone outside its limits of position or radial
  * speed. For a drone that is partly or entirely hidden, the visible fraction of the cross-section is used (minus
- * infinity if nothing is visible) or, with {@code diffraction}, the wave diffracted round the edges of the site in both
- * directions.
+ * infinity if nothing is visible) or, with {@code diffraction}, the wave diffracted around the edges of the site in
+ * both directions.
  */
 public final class RadarSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -104,7 +104,7 @@ public final class RadarSensor implements AssessableSensor {
         return Optional.of(settings.notch().get().miss(field.radialSpeed(drone), needed));
     }
 
-    /** Where waves go round edges, a drone is hidden only if it would be detected without their loss. */
+    /** Where waves go around edges, a drone is hidden only if it would be detected without their loss. */
     private Explanation explainShadow(Drone drone) {
         if (!isDetectedInTheOpen(drone)) {
             return Explanation.of(Cause.TOO_WEAK);

@@ -52,7 +52,7 @@ import org.dronewatch.world.World;
  *     path lies within the field of view of the radar; none by default. The polarisation must then be horizontal or
  *     vertical
  * @param beam shape of its beam; without one, the gain is the same throughout its field of view
- * @param diffraction whether the wave is diffracted round edges of terrain and buildings, in both directions, as for a
+ * @param diffraction whether the wave is diffracted around edges of terrain and buildings, in both directions, as for a
  *     radio receiver; otherwise the echo is scaled by the visible fraction of the drone
  * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
  *     whose azimuthBeamwidth is the width of a resolution cell
@@ -184,9 +184,9 @@ public record RadarSettings(
     }
 
     /**
-     * A radar that scans all round once per second, over 20 degrees of elevation with a horizontal axis, at 10 GHz with
-     * horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, with a threshold of 15 dB; its
-     * position errors are 5 m and one degree.
+     * A radar that scans through 360 degrees once per second, over 20 degrees of elevation with a horizontal axis, at
+     * 10 GHz with horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, with a threshold of
+     * 15 dB; its position errors are 5 m and one degree.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {
@@ -279,7 +279,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "beam", Optional.of(pattern));
     }
 
-    /** These settings with or without diffraction round edges. */
+    /** These settings with or without diffraction around edges. */
     public RadarSettings withDiffraction(boolean roundEdges) {
         return SettingsForm.with(this, "diffraction", roundEdges);
     }
@@ -324,7 +324,7 @@ public record RadarSettings(
         return falseAlarms.map(noise -> noise.rate(cells(), budget, detection, rate));
     }
 
-    /** {@inheritDoc} They stand for range, azimuth and elevation. */
+    /** {@inheritDoc} They represent range, azimuth and elevation. */
     @Override
     public int dimensions() {
         return 3;

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The path of a radio wave round the obstacles in a section, on one side of the line: over the tops, or past one side.
+ * The path of a radio wave around the obstacles in a section, on one side of the line: over the tops, or past one side.
  * Its knife edges are the corners of the mesh that stick out on that side; their loss is that of
  * {@linkplain DeygoutEdges Deygout's construction}.
  */
@@ -46,7 +46,7 @@ final class DiffractedPath {
     }
 
     /**
-     * Whether the loss is the same in every larger part of the site: all bodies round which the string is drawn are
+     * Whether the loss is the same in every larger part of the site: all bodies around which the string is drawn are
      * complete, or go on beyond an end of the line, and no corner outside can be an edge that counts.
      *
      * @param sum of the distances of a point on the boundary of this part from both ends, m
@@ -55,7 +55,7 @@ final class DiffractedPath {
         return isWhole && (loss == Double.POSITIVE_INFINITY || reach <= sum);
     }
 
-    /** Diffraction loss, dB; infinite where no path leads round on this side. */
+    /** Diffraction loss, dB; infinite where no path leads around on this side. */
     double loss() {
         return loss;
     }

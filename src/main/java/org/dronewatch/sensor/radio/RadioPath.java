@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
 
 /**
  * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the edges of the
- * mesh. A wave is diffracted over an obstacle and round it on both sides, and the powers of the three paths are added
+ * mesh. A wave is diffracted over an obstacle and around it on both sides, and the powers of the three paths are added
  * (ITU-R P.526-15, section 4.2, average loss of a screen of finite width). Edges near an unobstructed line also
  * attenuate the wave. One per thread.
  */
@@ -76,7 +76,7 @@ public final class RadioPath {
             return isUprightBlocked || isLevelBlocked;
         }
 
-        /** The path that matters most: the one with the least loss round an obstacle, or else the greatest. */
+        /** The path that matters most: the one with the least loss around an obstacle, or else the greatest. */
         DiffractedPath main() {
             DiffractedPath main = over;
             for (DiffractedPath path : List.of(left, right)) {
@@ -117,8 +117,8 @@ public final class RadioPath {
     }
 
     /**
-     * The diffraction loss between two positions, dB; infinite if there is no path round the obstacle, as into a closed
-     * room.
+     * The diffraction loss between two positions, dB; infinite if there is no path around the obstacle, as into a
+     * closed room.
      *
      * @param from one antenna, m
      * @param to the other, m

@@ -84,7 +84,7 @@ public final class RfSensor implements AssessableSensor {
     }
 
     /**
-     * {@inheritDoc} Since radio waves are diffracted round edges, a drone behind an obstacle counts as hidden only if
+     * {@inheritDoc} Since radio waves are diffracted around edges, a drone behind an obstacle counts as hidden only if
      * the stronger of its two emissions would be received without the diffraction loss. A drone that would be received
      * only on the axis of the beam counts as out of view.
      */

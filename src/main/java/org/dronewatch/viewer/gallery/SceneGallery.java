@@ -48,7 +48,7 @@ public final class SceneGallery extends JPanel {
         JScrollPane scrolling = new JScrollPane(grid);
         scrolling.setBorder(null);
         scrolling.getVerticalScrollBar().setUnitIncrement(gap);
-        file.setToolTipText("Opens a scene file in YAML of your own");
+        file.setToolTipText("Opens your own scene file (YAML)");
         file.addActionListener(e -> fileChosen.run());
         JPanel below = new JPanel(new FlowLayout(FlowLayout.TRAILING, gap, gap));
         below.add(file);

@@ -63,7 +63,7 @@ public final class SettingsPanel extends JPanel {
         add(new JScrollPane(table), BorderLayout.CENTER);
         add(said, BorderLayout.SOUTH);
         getAccessibleContext().setAccessibleName("settings");
-        undo.setToolTipText("Undoes the last change of a sensor");
+        undo.setToolTipText("Undoes the last change to a sensor");
         redo.setToolTipText("Redoes the last change that was undone");
         again.setToolTipText("Runs the scene in this window with the sensors as they are now");
         save.setToolTipText("Writes a scene file with the sensors as they are now");
@@ -141,7 +141,7 @@ public final class SettingsPanel extends JPanel {
         model.update();
         heading.setText(model.sensor()
                 .map(id -> "'" + id + "'")
-                .orElse("Select a sensor: click on its symbol or on its row in the tab Sensors"));
+                .orElse("Select a sensor: click on its symbol or on its row in the Sensors tab"));
         boolean isChanged = layout.isThere() && !layout.moved().isEmpty();
         undo.setEnabled(layout.isUndoable());
         redo.setEnabled(layout.isRedoable());

@@ -52,7 +52,7 @@ final class Cone {
         }
     }
 
-    /** Whether a path can bend round the point: the cone is narrower than a half-plane, and something is in it. */
+    /** Whether a path can bend around the point: the cone is narrower than a half-plane, and something is in it. */
     boolean isCorner() {
         return !empty && !tooWide && Math.hypot(firstU + lastU, firstV + lastV) > STRAIGHT;
     }

@@ -8,7 +8,7 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The shortest path round the obstacles between two points, over any number of edges: the shortest convex path within
+ * The shortest path around the obstacles between two points, over any number of edges: the shortest convex path within
  * any one plane through both points. {@value #PLANES} planes are tried, more if no path is found, and the best ones are
  * rotated until the path cannot be shortened. For a single straight edge, this is the globally shortest path; over
  * several, it is the path used by the standards, which treat propagation in separate planes. A path through an opening
@@ -74,7 +74,7 @@ public final class EdgePath {
     }
 
     /**
-     * Searches for the shortest path round the obstacles between two points that are not mutually visible, in still
+     * Searches for the shortest path around the obstacles between two points that are not mutually visible, in still
      * air.
      *
      * @return whether one was found
@@ -84,7 +84,7 @@ public final class EdgePath {
     }
 
     /**
-     * Searches for the shortest path round the obstacles between two points whose connecting arc of sound is
+     * Searches for the shortest path around the obstacles between two points whose connecting arc of sound is
      * obstructed.
      *
      * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m
@@ -146,8 +146,8 @@ public final class EdgePath {
     }
 
     /**
-     * The number of other paths that cannot be shortened either and are nearly as short, such as the one round the side
-     * of a house if the shortest one leads over its roof.
+     * The number of other paths that cannot be shortened either and are nearly as short, such as the one around the
+     * side of a house if the shortest one leads over its roof.
      */
     public int others() {
         return minima;

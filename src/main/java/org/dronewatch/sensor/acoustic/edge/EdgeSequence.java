@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.acoustic.edge;
 
 /**
- * The edges of one path round an obstacle, in order, with their positions along the path and the angles by which it
+ * The edges of one path around an obstacle, in order, with their positions along the path and the angles by which it
  * bends.
  */
 public final class EdgeSequence {

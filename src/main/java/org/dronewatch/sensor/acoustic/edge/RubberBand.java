@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.edge;
 import java.util.Arrays;
 
 /**
- * The shortest path between two points round the outline of obstacles in a plane: a taut string. It is straight from
+ * The shortest path between two points around the outline of obstacles in a plane: a taut string. It is straight from
  * corner to corner of the outline, and touches the outline at each without crossing it; found by A* over such legs. One
  * per thread.
  */

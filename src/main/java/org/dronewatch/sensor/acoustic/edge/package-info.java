@@ -1,2 +1,2 @@
-/** The geometry of diffraction: the shortest path round obstacles, and the edges near a line of sight. */
+/** The geometry of diffraction: the shortest path around obstacles, and the edges near a line of sight. */
 package org.dronewatch.sensor.acoustic.edge;

@@ -13,14 +13,14 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The attenuation of sound between two points by the edges of obstacles: of sound diffracted round them, where they
+ * The attenuation of sound between two points by the edges of obstacles: of sound diffracted around them, where they
  * hide the source, and of direct sound that passes close to them.
  *
  * <p>An edge at which the outline bends by less than {@value #FULL_BEND} degrees counts in proportion, up to N =
  * {@value #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many
  * slight bends attenuates little as long as it hides nothing. Several edges count as one until the path bends by
  * {@value #FULL_TURN} degrees at the first and at the last, so that an edge which the path just begins to touch causes
- * no step. Where another path is nearly as short as the shortest, as one edge over the top and two round the side, the
+ * no step. Where another path is nearly as short as the shortest, as one edge over the top and two around the side, the
  * attenuation passes from that of one to that of the other. One per thread.
  */
 final class EdgeLoss {
@@ -65,7 +65,7 @@ final class EdgeLoss {
     }
 
     /**
-     * Looks for the path round what hides a source; false where there is none, or no diffraction.
+     * Looks for the path around what hides a source; false where there is none, or no diffraction.
      *
      * @param curvature of sound from the source to the sensor, 1/m
      */
@@ -74,7 +74,7 @@ final class EdgeLoss {
             return false;
         }
         difference = curvature < 0.0 && diffraction.measuresArcs() ? path.arcDifference() : path.pathDifference();
-        // Where arcs just graze the ground no edge is needed to go round it.
+        // Where arcs just graze the ground no edge is needed to go around it.
         double ofNone = curvature == 0.0 ? 1.0 : 0.0;
         double ofBend = path.edges().count() == 0 ? ofNone : weight(path.edges().bend());
         for (int band = 0; band < BANDS; band++) {
@@ -90,7 +90,7 @@ final class EdgeLoss {
         return path;
     }
 
-    /** The fraction of the energy that is diffracted round the edges of the path found last. */
+    /** The fraction of the energy that is diffracted around the edges of the path found last. */
     double round(int band) {
         return Math.pow(10.0, -0.1 * losses[band]);
     }
@@ -126,7 +126,7 @@ final class EdgeLoss {
      * sound spreads over the path, so that it is never louder than what has come as far through open air.
      *
      * @param straight length of the straight line, above 0, m
-     * @param path length of the path round the edges, m
+     * @param path length of the path around the edges, m
      * @return 0 to 1
      */
     static double overDetour(double straight, double path) {

@@ -20,7 +20,7 @@ import org.dronewatch.world.World;
 
 /**
  * The energy model of sound propagation: levels in octave bands decrease due to spreading and to absorption in the air
- * and at surfaces. The straight path, specular reflections and the path round edges are computed exactly; scattered
+ * and at surfaces. The straight path, specular reflections and the path around edges are computed exactly; scattered
  * sound is estimated by ray tracing, with its standard error.
  *
  * @param rays maximum number of rays that one look traces, 1 to 10,000,000
@@ -31,7 +31,7 @@ import org.dronewatch.world.World;
  * @param maxOrder maximum number of surfaces that a ray may hit before it is dropped, 0 to 10,000
  * @param imageSourceOrder order up to which paths of specular reflections alone are computed exactly, 1 to 50: all
  *     paths with one reflection, and those with several if rays from the microphone or from the drone find the surfaces
- * @param diffraction method for diffraction round edges
+ * @param diffraction method for diffraction around edges
  * @param criterion level that is compared with the background
  * @param ground whether direct and ground-reflected sound interfere
  * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 without

@@ -15,7 +15,7 @@ import org.dronewatch.sound.OctaveBands;
  * relative to the square of a sound pressure of 20 uPa, so that {@code 10 lg} of each is a sound pressure level.
  *
  * @param direct energy on the straight path, including transmission through walls; exact
- * @param diffracted energy diffracted round the edges of the obstacles that hide the drone
+ * @param diffracted energy diffracted around the edges of the obstacles that hide the drone
  * @param mirrored energy on paths of specular reflections alone; exact
  * @param reverberant energy on all other paths; estimated
  * @param traced number of ray segments that were traced

@@ -158,7 +158,7 @@ public final class EnergyTracer {
     }
 
     /**
-     * The reading of the paths that are found without any ray: straight, round edges, and by the specular
+     * The reading of the paths that are found without any ray: straight, around edges, and by the specular
      * reflections to which image sources of the sensor lead. Exact.
      *
      * @param drone the drone's sound

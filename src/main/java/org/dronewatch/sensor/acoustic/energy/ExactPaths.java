@@ -12,7 +12,7 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The deterministic paths: straight from source to sensor, through walls that transmit sound; round the edges of the
+ * The deterministic paths: straight from source to sensor, through walls that transmit sound; around the edges of the
  * obstacles that hide the source; and by specular reflections. One per thread.
  */
 final class ExactPaths {
@@ -104,7 +104,7 @@ final class ExactPaths {
         return direct;
     }
 
-    /** Sound diffracted round edges. */
+    /** Sound diffracted around edges. */
     FoundPaths diffracted() {
         return diffracted;
     }

@@ -58,7 +58,7 @@ public final class SpecularPath {
      * Sets the curvature that the air gives to subsequent paths: each leg must be unobstructed as an arc, too. By
      * default, paths are straight.
      *
-     * @param isSoundAhead whether sound travels from a path's beginning to its end, rather than the other way round
+     * @param isSoundAhead whether sound travels from a path's beginning to its end, rather than the other way around
      */
     public void bend(PathCurvature ofAir, boolean isSoundAhead) {
         curvature = ofAir;

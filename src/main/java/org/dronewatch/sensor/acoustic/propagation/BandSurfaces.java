@@ -171,7 +171,7 @@ public final class BandSurfaces {
         return anyTransmits;
     }
 
-    /** Whether a material stands for a thin sheet, of which both sides count as one surface. */
+    /** Whether a material represents a thin sheet, of which both sides count as one surface. */
     public boolean isSheet(int material) {
         return sheet[material];
     }

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.sound.Barrier;
 
 /**
- * A method for the diffraction of sound round edges into a shadow. All methods but {@link #OFF} are approximations
+ * A method for the diffraction of sound around edges into a shadow. All methods but {@link #OFF} are approximations
  * without a step at the shadow boundary, where the attenuation is 4.77 dB; it fades to zero within {@link #reach} where
  * the source is visible above the edge.
  */
