@@ -39,7 +39,7 @@ import tools.jackson.databind.node.ObjectNode;
         mixinStandardHelpOptions = true,
         description = {
             "Repeats the run, campaign, comparison, search for routes or placement that a provenance.json records, and"
-                    + " states for each file beside it whether the new file is byte-identical; the exit code is 1 if any"
+                    + " states for each file next to it whether the new file is byte-identical; the exit code is 1 if any"
                     + " differs.",
             "Relative paths are resolved from the current directory, as in the first run."
         },

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Limits;
  * coordinates.
  *
  * @param feature name of a point in a GeoJSON or KML file
- * @param file the GeoJSON or KML file; by default the one beside the scene file, with the same name but ending in
+ * @param file the GeoJSON or KML file; by default the one next to the scene file, with the same name but ending in
  *     {@code .geojson} or {@code .kml}
  */
 public record FeaturePoint(String feature, @FileName Optional<String> file) {

@@ -103,7 +103,7 @@ public record SectorRoute(
     }
 
     /**
-     * Whether a less detected route from the sector is not excluded: the lower bound of the exposure allows a
+     * Whether a less detected route from the sector cannot be ruled out: the lower bound of the exposure allows a
      * probability of a detection that counts that is more than 20 percentage points lower than as flown.
      *
      * @param response time that the response takes, s; 0 if none is required

@@ -121,7 +121,7 @@ public final class SceneSchema {
     private static void putUse(ObjectNode known, Kinds.NamedSettings named) {
         known.put("type", "object");
         ObjectNode use = known.putObject("properties").putObject("use");
-        use.put("description", "a sensor of the catalogue, or the name of a file beside this one, without .yaml");
+        use.put("description", "a sensor of the catalogue, or the name of a file next to this one, without .yaml");
         ArrayNode either = use.putArray("anyOf");
         either.add(ValueSchema.names(named.names()));
         either.addObject().put("type", "string");

@@ -62,7 +62,7 @@ final class FeatureFiles implements Function<Optional<String>, Features> {
         if (found.size() != 1) {
             throw new IllegalArgumentException((found.isEmpty() ? "neither " : "both ") + name + ENDINGS.get(0)
                     + (found.isEmpty() ? " nor " : " and ") + name + ENDINGS.get(1)
-                    + (found.isEmpty() ? " is" : " are") + " beside the scene file: give 'file'");
+                    + (found.isEmpty() ? " is" : " are") + " next to the scene file: give 'file'");
         }
         return found.get(0);
     }

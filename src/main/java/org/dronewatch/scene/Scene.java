@@ -285,7 +285,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /** The maps to which the scene may refer: none unless the scene itself is a file. */
     Function<Optional<String>, Features> maps() {
         return file -> {
-            throw new IllegalArgumentException("only a scene file has a map beside it");
+            throw new IllegalArgumentException("only a scene file has a map next to it");
         };
     }
 

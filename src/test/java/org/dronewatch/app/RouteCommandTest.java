@@ -127,7 +127,7 @@ class RouteCommandTest {
     void theTableHasARowForEachSectorAndTheWeakestInWords() {
         List<String> lines = outcome.out().lines().toList();
         assertThat(lines.get(0))
-                .isEqualTo("weakest routes of drone 'one' to the protected zone, by where they begin;"
+                .isEqualTo("weakest routes of drone 'one' to the protected zone, by starting direction;"
                         + " exposure counts while at least 5 s are left for the response:");
         assertThat(lines.subList(2, 10))
                 .extracting(line -> line.substring(0, 11).strip())

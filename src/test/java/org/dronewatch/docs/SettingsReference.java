@@ -80,7 +80,7 @@ final class SettingsReference {
         }
         if (kinds.named(type).isPresent()) {
             page.append(
-                    "- or `use: NAME` instead of a kind: a sensor from the catalogue, or from a file beside the scene file\n");
+                    "- or `use: NAME` instead of a kind: a sensor from the catalogue, or from a file next to the scene file\n");
         }
         if (switchable.contains(type)) {
             page.append(

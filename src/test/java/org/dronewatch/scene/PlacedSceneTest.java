@@ -189,7 +189,7 @@ class PlacedSceneTest {
                 .isInstanceOf(InputException.class);
     }
 
-    /** Names of a map beside the scene file, with its name or another. */
+    /** Names of a map next to the scene file, with its name or another. */
     @Test
     void placesHaveNamesOnAMap() throws IOException {
         String map =
@@ -215,7 +215,7 @@ class PlacedSceneTest {
 
         String own = named.replace(", file: other.geojson", "");
         assertThat(refusal(own))
-                .contains("site.yaml:18:15: sensors.eye.position: neither site.geojson nor site.kml is beside"
+                .contains("site.yaml:18:15: sensors.eye.position: neither site.geojson nor site.kml is next to"
                         + " the scene file: give 'file'");
         Files.writeString(directory.resolve("site.geojson"), map);
         assertThat(refusal(own)).isEmpty();

@@ -36,7 +36,7 @@ public final class GltfReader implements MeshReader {
 
     @Override
     public String summary() {
-        return "glTF 2.0, as one file or with buffers beside it";
+        return "glTF 2.0, as one file or with buffers next to it";
     }
 
     @Override

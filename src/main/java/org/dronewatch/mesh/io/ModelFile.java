@@ -131,7 +131,7 @@ public final class ModelFile {
     /** The same with another limit, bytes. */
     ModelFile beside(String sibling, long maxBytes) {
         if (path == null) {
-            return resource(sibling).orElseThrow(() -> new InputException("is not beside the model"));
+            return resource(sibling).orElseThrow(() -> new InputException("is not next to the model"));
         }
         try {
             Path other = inDirectory(sibling.replace('\\', '/'));
@@ -152,7 +152,7 @@ public final class ModelFile {
             throw new InputException(LEADS_ELSEWHERE);
         }
         if (!Files.exists(other)) {
-            throw new InputException("is not beside the model");
+            throw new InputException("is not next to the model");
         }
         if (!other.toRealPath().startsWith(directory.toRealPath())) {
             throw new InputException(LEADS_ELSEWHERE);

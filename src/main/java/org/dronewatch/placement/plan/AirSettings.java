@@ -88,8 +88,8 @@ public record AirSettings(
         return conditions.map(name -> {
             Path path = directory.resolve(name).normalize();
             if (!path.startsWith(directory.normalize())) {
-                throw new InputException(
-                        "air.conditions " + PlainText.value(name) + ": must lie beside the placement file or below it");
+                throw new InputException("air.conditions " + PlainText.value(name)
+                        + ": must be in the directory of the placement file or below it");
             }
             LinkOut.refuse(directory, path, "air.conditions");
             return path;

@@ -101,7 +101,7 @@ final class RouteNotes {
         return sectors.isEmpty()
                 ? Optional.empty()
                 : Optional.of("Less exposed routes from the " + listed(sectors)
-                        + " are not excluded: the lower bound of the exposure allows a detection"
+                        + " cannot be ruled out: the lower bound of the exposure allows a detection"
                         + (survey.response() > 0.0 ? " in time" : "")
                         + " that is more than 20 percentage points less likely. To look for them, try " + finer()
                         + ".");

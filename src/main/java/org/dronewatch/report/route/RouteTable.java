@@ -30,7 +30,7 @@ public final class RouteTable {
         boolean isRequired = survey.response() > 0.0;
         boolean mayGlide = RouteWords.mayGlide(survey);
         lines.add("weakest routes of drone '" + inputs.drone() + "' to " + inputs.targetInWords()
-                + ", by where they begin"
+                + ", by starting direction"
                 + (isRequired
                         ? "; exposure counts while at least " + Numbers.text(survey.response())
                                 + " s are left for the response:"

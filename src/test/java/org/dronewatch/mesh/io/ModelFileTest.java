@@ -156,8 +156,8 @@ class ModelFileTest {
             large.setLength(ModelFile.MAX_BYTES_BESIDE + 1);
         }
 
-        assertRefused("absent.mtl", "is not beside the model");
-        assertRefused("broken.mtl", "is not beside the model");
+        assertRefused("absent.mtl", "is not next to the model");
+        assertRefused("broken.mtl", "is not next to the model");
         assertRefused("folder.mtl", "is a directory");
         assertRefused("large.mtl", "has 16777217 bytes, but may have at most 16777216");
     }

@@ -196,6 +196,6 @@ class PlaceWeathersTest {
         Files.writeString(file, Files.readString(file).replace("weather.yaml", "../weather.yaml"));
         assertThatThrownBy(() -> PlacePlan.read(file, runner -> {}, note -> {}))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("air.conditions ../weather.yaml: must lie beside the placement file");
+                .hasMessageContaining("air.conditions ../weather.yaml: must be in the directory of the placement file");
     }
 }
