@@ -133,10 +133,13 @@ class PackagedRouteTest {
         }
     }
 
-    /** Each flight has seeds of its own, so that it differs from its prediction independently of the others. */
+    /**
+     * Each flight has other seeds, so that it differs from its prediction independently of the others. Number 0 would
+     * be the given seed for all of them.
+     */
     private RouteProof prove(String flight, SceneSettings site, PackagedFlights flights) {
         long begun = System.nanoTime();
-        RunSettings run = site.run().withSeed(Draws.derivedSeed(seed, flight, 0));
+        RunSettings run = site.run().withSeed(Draws.derivedSeed(seed, flight, 1));
         SceneSettings scene = SettingsForm.with(site, "run", run);
         RouteProof proof = RouteProof.of(scene, flights.models(), RUNS, done -> {});
         assertThat(proof.plain()).isEqualTo((RUNS + 19) / 20);
