@@ -21,7 +21,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** The layout that {@code place} finds, and the scene's own radar, face the same attacks. */
 class PlaceAttacksTest {
-    private static final String CANDIDATES =
+    static final String CANDIDATES =
             """
             scene: site.yaml
             budget: 2

@@ -19,7 +19,7 @@ final class CoveragePlaceFinder implements PlaceFinder {
         SitePlacement best = task.during(
                 "coverage of candidates",
                 cells.looks(),
-                progress -> search.found(task.limits(), progress, task.interruption()::letFinish));
+                progress -> search.found(task.limits(), progress, task::assessed));
         BudgetFront<SitePlacement> front = task.front(new CheaperCoverage(best, cells, task.solver()));
         int sensors = front.best().chosen().size()
                 + task.plan().present().enabledSensors().size();

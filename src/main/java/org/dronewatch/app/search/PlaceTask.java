@@ -51,6 +51,16 @@ public record PlaceTask(
         return new ExactSolver();
     }
 
+    /**
+     * To be called once candidates are assessed: a layout of those that are may then be found in spite of an
+     * interruption. Without one, a later interruption ends whatever is being done then, such as the attacks.
+     */
+    void assessed() {
+        if (interruption.happened()) {
+            interruption.letFinish();
+        }
+    }
+
     /** Does a part of the work that reports how many steps it has done since the last time. */
     <T> T during(String part, long steps, Function<IntConsumer, T> work) {
         return shown.during(part, steps, work);

@@ -17,7 +17,7 @@ final class WarningPlaceFinder implements PlaceFinder {
         WarningPlacement best = task.during(
                 "warnings of candidates",
                 search.looks(),
-                progress -> search.found(task.limits(), progress, task.interruption()::letFinish));
+                progress -> search.found(task.limits(), progress, task::assessed));
         BudgetFront<WarningPlacement> front = task.front(new CheaperWarnings(best, task.solver()));
         int sensors = front.best().chosen().size()
                 + task.plan().present().enabledSensors().size();
