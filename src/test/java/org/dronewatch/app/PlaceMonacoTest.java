@@ -4,15 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.LongForm;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.route.WeakestRouteSearch;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -134,6 +138,54 @@ class PlaceMonacoTest {
             assertThat(promised().get("value").asDouble())
                     .isCloseTo(Math.min(least, WeakestRouteSearch.ENOUGH), within(1e-3 * least + ROUNDING));
         }
+    }
+
+    /**
+     * 200 candidates of eight kinds, in as many cells as are asked for: {@code -Ddronewatch.cell=8m} makes 250,000 of
+     * them, which takes hours. Once the candidates have been assessed, the search itself is timed.
+     */
+    @Test
+    void twoHundredCandidates() throws IOException {
+        Path file = Files.copy(SCENES.resolve("monaco.place.yaml"), directory.resolve("monaco.place.yaml"));
+        String cell = System.getProperty("dronewatch.cell", "40m");
+        String[] words = {
+            "place", file.toString(), "--cell=" + cell, "--gap=0.05", "--budgets=1", "--threads=2", "--out=" + directory
+        };
+        Outcome first = Program.run(words);
+        assertThat(first.code()).as(first.err()).isZero();
+        JsonNode found = promised();
+        long elapsed = System.nanoTime();
+        long processor = processorTime();
+        Outcome place = Program.run(words);
+        System.out.printf(
+                Locale.ROOT,
+                "200 candidates, cells of %s, assessed before: gap %.4f after %.1f s, %.1f s of processor time%n",
+                cell,
+                found.get("gap").asDouble(),
+                1e-9 * (System.nanoTime() - elapsed),
+                1e-9 * (processorTime() - processor));
+        PlacePlan plan = PlacePlan.read(file, runner -> {}, note -> {});
+        double known = 0.0;
+        double covered = 0.0;
+        for (JsonNode height : again("coverage", place).get("heights")) {
+            known += height.get("known").asDouble();
+            covered +=
+                    height.get("covered_share").asDouble() * height.get("known").asDouble();
+        }
+
+        assertThat(plan.candidates()).hasSize(200);
+        assertThat(plan.settings().candidates()).hasSize(8);
+        assertThat(promised()).isEqualTo(found);
+        assertThat(found.get("complete").asBoolean()).isTrue();
+        assertThat(found.get("gap").asDouble()).isLessThanOrEqualTo(0.05);
+        assertThat(found.get("value").asDouble()).isGreaterThan(0.9);
+        assertThat(place.out())
+                .contains(String.format(
+                        Locale.ROOT, "the layout covers %.1f %% of the known cells", 100.0 * covered / known));
+    }
+
+    private static long processorTime() {
+        return ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class).getProcessCpuTime();
     }
 
     /** The page's example: the same attacks against the layout and against the four radars of today. */
