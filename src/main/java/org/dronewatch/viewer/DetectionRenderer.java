@@ -1,5 +1,6 @@
 package org.dronewatch.viewer;
 
+import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
 import java.awt.Component;
 import javax.swing.JTable;
@@ -32,7 +33,8 @@ final class DetectionRenderer extends DefaultTableCellRenderer {
     }
 
     private static Color mixed(Color below) {
-        double share = DETECTS.getAlpha() / 255.0;
+        // Light text needs a darker background.
+        double share = (FlatLaf.isLafDark() ? 0.5 : 1.0) * DETECTS.getAlpha() / 255.0;
         return new Color(
                 (int) (below.getRed() + share * (DETECTS.getRed() - below.getRed())),
                 (int) (below.getGreen() + share * (DETECTS.getGreen() - below.getGreen())),

@@ -98,7 +98,7 @@ final class TimeLinePainter {
         double step = wanted <= power
                 ? power
                 : wanted <= 2 * power ? 2 * power : wanted <= 5 * power ? 5 * power : 10 * power;
-        g.setColor(shade(160));
+        g.setColor(shade(220));
         for (int i = 0; i * step <= run.duration() * (1.0 + 1e-9); i++) {
             double x = line.xOf(i * step);
             g.fill(new Rectangle2D.Double(x - 0.5, top, 1, Scaled.px(4)));

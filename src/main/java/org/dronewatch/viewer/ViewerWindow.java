@@ -170,6 +170,7 @@ final class ViewerWindow {
 
     /** Sets the look of all windows to come. */
     static void setLook(boolean dark) {
+        FlatLaf.registerCustomDefaultsSource(ViewerWindow.class.getPackageName());
         if (dark) {
             FlatDarkLaf.setup();
         } else {
