@@ -45,7 +45,7 @@ final class BenchCommand implements Callable<Integer> {
             names = "--rays",
             paramLabel = "FILE",
             description =
-                    "Rays to trace: int32 count, then six float32 per ray (origin, unit direction),"
+                    "Rays to trace: int32 count, then six float32 per ray (origin, direction),"
                             + " little-endian. Without it, camera rays and diffusely reflected rays are generated from the seed.")
     private Path rays;
 

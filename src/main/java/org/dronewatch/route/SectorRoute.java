@@ -44,8 +44,8 @@ public record SectorRoute(
     }
 
     /**
-     * The profile of the whole route for pictures: if it is known what looks along it detect, the exposure is the mean
-     * number of those that detect the drone.
+     * The profile of the whole route for pictures: once the looks along it have been assessed, the exposure is the
+     * mean number of looks that detect the drone.
      */
     public RouteProfile profile() {
         return flown.map(searched::with).orElse(searched);
@@ -103,8 +103,9 @@ public record SectorRoute(
     }
 
     /**
-     * Whether a less detected route from the sector cannot be ruled out: the lower bound of the exposure allows a
-     * probability of a detection that counts that is more than 20 percentage points lower than as flown.
+     * Whether a route from the sector on which the drone is less likely to be detected cannot be ruled out: the lower
+     * bound of the exposure allows a probability of a detection that counts that is more than 20 percentage points lower
+     * than as flown.
      *
      * @param response time that the response takes, s; 0 if none is required
      */

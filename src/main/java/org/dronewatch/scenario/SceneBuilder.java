@@ -58,8 +58,8 @@ public final class SceneBuilder {
     }
 
     /** Assigns an acoustic surface of the table to a material of the model. */
-    public void nameSurface(String ofTheModel, String ofTheTable) {
-        surfaces = surfaces.with(ofTheModel, ofTheTable);
+    public void nameSurface(String material, String surface) {
+        surfaces = surfaces.with(material, surface);
     }
 
     /** Sets the air. */

@@ -180,11 +180,11 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /**
      * Assigns an acoustic surface to a material of the models.
      *
-     * @param ofTheModel name in the model's MTL file
-     * @param ofTheTable name of a surface of the library, such as {@code brick_rough}
+     * @param material name in the model's MTL file
+     * @param surface name of a surface of the library, such as {@code brick_rough}
      */
-    protected final void surface(String ofTheModel, String ofTheTable) {
-        building().nameSurface(ofTheModel, ofTheTable);
+    protected final void surface(String material, String surface) {
+        building().nameSurface(material, surface);
     }
 
     /** Adds a drone. */

@@ -1,7 +1,8 @@
 package org.dronewatch.sensor;
 
 /**
- * The drone that caused an observation: for scoring, and never read by code that evaluates measurements.
+ * The drone that caused an observation: for scoring, and for the perfect association in place of a tracker. No sensor,
+ * positioner or alert rule reads it.
  *
  * @param drone name of the drone; empty for a false measurement
  * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement

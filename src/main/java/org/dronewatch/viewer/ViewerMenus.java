@@ -78,7 +78,7 @@ final class ViewerMenus {
                 ViewerActions.key(KeyEvent.VK_R),
                 pane.rayPanel()::trace));
         menu.add(item(
-                "Other run beside",
+                "Show other run beside this one",
                 "Shows or hides the run with which this one is compared, at the same time and from the same viewpoint",
                 ViewerActions.key(KeyEvent.VK_B),
                 pane.comparing()::toggle));

@@ -51,7 +51,7 @@ public record SurfaceSettings(
         if (own.containsKey("")) {
             throw new IllegalArgumentException("own: a surface needs a name, not ''");
         }
-        materials.forEach((ofTheModel, name) -> checkName("materials." + ofTheModel, name));
+        materials.forEach((material, name) -> checkName("materials." + material, name));
         checkName("defaultSurface", defaultSurface);
     }
 
@@ -72,18 +72,18 @@ public record SurfaceSettings(
         return own.containsKey(name) ? Optional.of(own.get(name).material(name)) : SurfaceMaterials.find(name);
     }
 
-    private Optional<SurfaceMaterial> assigned(String ofTheModel) {
-        return Optional.ofNullable(materials.get(ofTheModel)).map(this::named).or(() -> find(ofTheModel));
+    private Optional<SurfaceMaterial> assigned(String material) {
+        return Optional.ofNullable(materials.get(material)).map(this::named).or(() -> find(material));
     }
 
-    private static String withoutVariant(String ofTheModel) {
-        return ofTheModel.replaceFirst(":.*", "");
+    private static String withoutVariant(String material) {
+        return material.replaceFirst(":.*", "");
     }
 
     /** These settings with a surface, from the scene or from the table, for one more material of the model files. */
-    public SurfaceSettings with(String ofTheModel, String surface) {
+    public SurfaceSettings with(String material, String surface) {
         Map<String, String> more = new LinkedHashMap<>(materials);
-        more.put(ofTheModel, surface);
+        more.put(material, surface);
         return new SurfaceSettings(more, defaultSurface, own);
     }
 
@@ -95,23 +95,21 @@ public record SurfaceSettings(
     }
 
     /** The surface of a material of a model file. */
-    public SurfaceMaterial of(String ofTheModel) {
-        return assigned(ofTheModel)
-                .or(() -> assigned(withoutVariant(ofTheModel)))
-                .orElseGet(() -> named(defaultSurface));
+    public SurfaceMaterial of(String material) {
+        return assigned(material).or(() -> assigned(withoutVariant(material))).orElseGet(() -> named(defaultSurface));
     }
 
     /** The given model materials without a known surface, to which the default surface applies. */
-    public List<String> leftOver(List<String> ofTheModels) {
-        return ofTheModels.stream()
+    public List<String> leftOver(List<String> materials) {
+        return materials.stream()
                 .filter(name -> assigned(name).isEmpty()
                         && assigned(withoutVariant(name)).isEmpty())
                 .toList();
     }
 
     /** The surfaces defined in the scene that none of the given model materials uses. */
-    public List<String> unused(List<String> ofTheModels) {
-        Set<String> used = ofTheModels.stream().map(name -> of(name).name()).collect(Collectors.toSet());
+    public List<String> unused(List<String> materials) {
+        Set<String> used = materials.stream().map(name -> of(name).name()).collect(Collectors.toSet());
         return own.keySet().stream().filter(name -> !used.contains(name)).toList();
     }
 }

@@ -53,7 +53,7 @@ class SiteRoutesTest {
     }
 
     @Test
-    void eachRouteBeginsInItsSector() {
+    void eachRouteStartsInItsSector() {
         SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
             WeakestRoute route = routes.from(sector).orElseThrow();

@@ -75,7 +75,7 @@ public final class DetectionField {
     }
 
     /**
-     * A drone of a stage.
+     * The drone with this name on the stage of a run.
      *
      * @throws IllegalArgumentException when there is no such drone
      */

@@ -24,7 +24,7 @@ public interface CheaperLayouts<L extends PlacedLayout> {
      */
     L bounded(L layout, double bound);
 
-    /** Where a layout is better than the one before, for less money; empty if it is better nowhere. */
+    /** Where a layout is better than the best one for the next lower budget; empty if it is better nowhere. */
     Optional<SectorGain> gain(Optional<L> before, L after);
 
     /** Adds what is stated only for the layout for the whole budget. */

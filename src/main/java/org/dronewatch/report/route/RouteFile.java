@@ -7,8 +7,8 @@ import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.ProvenChance;
-import org.dronewatch.route.proof.RouteBegins;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.route.proof.RouteStarts;
 import org.dronewatch.route.search.RouteMode;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -45,8 +45,8 @@ public final class RouteFile {
         ObjectNode between = root.putObject("between_cells");
         between.put("tried", results.between().tried());
         between.put("unseen", results.between().unseen());
-        ArrayNode begins = root.putArray("begins_s");
-        RouteBegins.of(inputs.settings().enabledSensors().values())
+        ArrayNode begins = root.putArray("starts_s");
+        RouteStarts.of(inputs.settings().enabledSensors().values())
                 .forEach(begin -> begins.add(Numbers.rounded(begin)));
         inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
         ArrayNode routes = root.putArray("routes");

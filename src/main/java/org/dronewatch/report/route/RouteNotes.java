@@ -16,7 +16,7 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
-import org.dronewatch.route.proof.RouteBegins;
+import org.dronewatch.route.proof.RouteStarts;
 import org.dronewatch.route.proof.UnseenPlaces;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
@@ -127,7 +127,7 @@ final class RouteNotes {
         Map<String, SensorSettings<?>> sensors = inputs.settings().enabledSensors();
         return sensors.keySet().stream()
                 .filter(sensor ->
-                        RouteBegins.slowest(Map.of(sensor, sensors.get(sensor))).isPresent())
+                        RouteStarts.slowest(Map.of(sensor, sensors.get(sensor))).isPresent())
                 .filter(sensor -> exposure(sensor, routes) > 0.0)
                 .max(Comparator.comparingDouble((String sensor) -> Math.rint(100.0 * disagreement(sensor, routes)))
                         .thenComparingDouble(sensor -> exposure(sensor, routes)));
@@ -150,10 +150,10 @@ final class RouteNotes {
     private Optional<String> begins(RouteSurvey survey) {
         boolean isFlown =
                 survey.routes().stream().anyMatch(route -> route.flown().isPresent());
-        return RouteBegins.slowest(inputs.settings().enabledSensors())
+        return RouteStarts.slowest(inputs.settings().enabledSensors())
                 .filter(sensor -> isFlown)
                 .map(sensor -> "All figures of flights are means over "
-                        + RouteBegins.of(inputs.settings().enabledSensors().values())
+                        + RouteStarts.of(inputs.settings().enabledSensors().values())
                                 .size()
                         + " flights of each route, which begin at moments spread over the " + period(Set.of(sensor))
                         + " between two looks of '"
@@ -170,7 +170,7 @@ final class RouteNotes {
         Map<String, SensorSettings<?>> these =
                 new LinkedHashMap<>(inputs.settings().enabledSensors());
         these.keySet().retainAll(sensors);
-        return Numbers.text(Math.rint(100.0 * RouteBegins.period(these.values())) / 100.0) + " s";
+        return Numbers.text(Math.rint(100.0 * RouteStarts.period(these.values())) / 100.0) + " s";
     }
 
     /** States that no route is long enough for a detection in time; empty if one is, or no response is required. */

@@ -12,8 +12,8 @@ import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
-import org.dronewatch.route.proof.RouteBegins;
 import org.dronewatch.route.proof.RouteScene;
+import org.dronewatch.route.proof.RouteStarts;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
@@ -68,7 +68,7 @@ public final class RouteScenes {
 
     /** The number of flights of each route. */
     private int flights() {
-        return RouteBegins.of(inputs.settings().enabledSensors().values()).size();
+        return RouteStarts.of(inputs.settings().enabledSensors().values()).size();
     }
 
     /** Says after the first line which of the flights the drone flies, if the figures are means over several. */
@@ -79,7 +79,7 @@ public final class RouteScenes {
                 : scene.substring(0, first)
                         + "# The figures of 'route' are means over " + flights()
                         + " flights that begin at different moments; this is the first of them.\n"
-                        + "# For another one, add one of the times in begins_s of route.json to the delay of the flight and"
+                        + "# For another one, add one of the times in starts_s of route.json to the delay of the flight and"
                         + " to the duration of the run.\n"
                         + scene.substring(first);
     }

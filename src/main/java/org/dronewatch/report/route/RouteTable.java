@@ -10,6 +10,7 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.proof.ProvenChance;
+import org.dronewatch.sensor.Mounted;
 
 /** The table of the weakest routes, one for each sector, and the weakest of all in words. */
 public final class RouteTable {
@@ -52,7 +53,7 @@ public final class RouteTable {
         }
         if (!results.proofs().isEmpty()) {
             lines.add("");
-            lines.addAll(proofs(results));
+            lines.addAll(proofs(results, inputs));
         }
         lines.add("");
         lines.addAll(summary(results, inputs));
@@ -107,11 +108,14 @@ public final class RouteTable {
                         .orElse("  -");
     }
 
-    private static List<String> proofs(RouteResults results) {
+    private static List<String> proofs(RouteResults results, RouteInputs inputs) {
         List<String> lines = new ArrayList<>();
         boolean isCued = results.proofs().values().stream()
                 .anyMatch(proof -> proof.cued().isPresent());
-        lines.add("flown with many seeds, positioners searching" + (isCued ? ", and with cues:" : ":"));
+        boolean isTurning = inputs.settings().enabledSensors().values().stream()
+                .anyMatch(sensor -> Mounted.positioner(sensor).isPresent());
+        lines.add("flown with many seeds" + (isTurning ? ", positioners searching" : "")
+                + (isCued ? ", and with cues:" : ":"));
         lines.add(text(PROOF, "from", "detected", "99 % interval", "predicted", "agrees")
                 + (isCued ? text(CUED, "with cues") : ""));
         results.proofs()

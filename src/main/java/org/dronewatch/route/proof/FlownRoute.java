@@ -20,7 +20,7 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed where it is
  * taken. The route begins at several equally likely moments within the period of the slowest scan ({@link
- * RouteBegins}): all figures are means over them. Positioners only search, since what they follow depends on chance.
+ * RouteStarts}): all figures are means over them. Positioners only search, since what they follow depends on chance.
  * Immutable and thread-safe.
  */
 public final class FlownRoute {
@@ -45,7 +45,7 @@ public final class FlownRoute {
 
     private static List<BegunFlight> flights(SceneSettings settings, ModelCache models, int estimates) {
         List<BegunFlight> flights = new ArrayList<>();
-        List<Double> begins = RouteBegins.of(settings.enabledSensors().values());
+        List<Double> begins = RouteStarts.of(settings.enabledSensors().values());
         for (double begin : begins) {
             SceneSettings later = RouteScene.later(settings, begin);
             Stage stage = new Stage(later, models, later.run().seed());
@@ -170,7 +170,7 @@ public final class FlownRoute {
     /**
      * Flies the route with many seeds, on the {@link Workers} of the calling thread; the result does not depend on
      * their number. Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of
-     * {@link RouteBegins} in turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}. In a run,
+     * {@link RouteStarts} in turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}. In a run,
      * observers also search for the drone while it waits for its route to begin: if they could see it there, the
      * prediction is higher than {@link #detection}.
      *

@@ -76,7 +76,7 @@ public record RouteProof(
      * plain run. Arguments as for {@link #of}.
      */
     public static Proportion withCues(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
-        List<SceneSettings> begun = RouteBegins.of(scene.enabledSensors().values()).stream()
+        List<SceneSettings> begun = RouteStarts.of(scene.enabledSensors().values()).stream()
                 .map(begin -> RouteScene.later(scene, begin))
                 .toList();
         boolean[] isDetected = new boolean[runs];

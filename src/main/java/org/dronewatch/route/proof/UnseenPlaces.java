@@ -9,8 +9,9 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * Whether the cells of a search are small enough for its site: at how many of the {@linkplain FieldSample places} tried
- * between the middles of the cells no sensor detects the drone, although each of the cells around them is detected, so
- * that even the lower bound of the exposure counts on it. A passage that is narrower than a cell may lead there.
+ * between the middles of the cells no sensor detects the drone, although the drone is detected in every cell around
+ * them, so that even the lower bound of the exposure counts on it. A passage that is narrower than a cell may lead
+ * there.
  *
  * @param tried number of places at which the drone can be
  * @param unseen number of those at which no sensor detects it, but the lower bound counts on a detection

@@ -227,7 +227,9 @@ public final class CoveragePanel extends JPanel {
     }
 
     private void describe() {
-        String nothing = shown.isEmpty() ? "" : "Point at a cell of the site to see what decides there.";
+        String nothing = shown.isEmpty()
+                ? ""
+                : "Point at a cell to see which sensors detect the drone there, and why the others miss it.";
         cell.setText(pointed.cell().map(switches::describe).orElse(nothing));
         if (pointed.cell().isEmpty()) {
             switches.clearCell();

@@ -61,7 +61,7 @@ class PlainFlightTest {
     void theReplayRaisesTheAlertOfThePlainRun() {
         int raised = 0;
         int later = 0;
-        for (double begin : RouteBegins.of(scene.enabledSensors().values())) {
+        for (double begin : RouteStarts.of(scene.enabledSensors().values())) {
             SceneSettings begun = RouteScene.later(scene, begin);
             for (int run = 0; run < RUNS; run++) {
                 long seed = RouteProof.seed(begun, run);

@@ -180,7 +180,7 @@ class RouteProofTest {
     void exposureIsThatOfTheLooks() {
         SceneSettings scene = RouteScene.withoutCues(randomFlight(new SplittableRandom(8)));
         FlownRoute flown = FlownRoute.of(scene, models);
-        List<Double> begins = RouteBegins.of(scene.enabledSensors().values());
+        List<Double> begins = RouteStarts.of(scene.enabledSensors().values());
         List<LookSchedule> looks = begins.stream()
                 .map(begin -> RouteScene.later(scene, begin))
                 .map(later -> LookSchedule.of(
@@ -188,7 +188,7 @@ class RouteProofTest {
                 .toList();
         FlownExposure exposure = flown.exposure();
 
-        assertThat(begins).hasSize(RouteBegins.MOST);
+        assertThat(begins).hasSize(RouteStarts.MOST);
         for (double time : new double[] {3.0, 10.0, 17.5, 1000.0}) {
             double missed = looks.stream()
                     .mapToDouble(one -> one.missed(one.begin() + time, MissedLooks.Wait.UNSEEN))
@@ -239,13 +239,13 @@ class RouteProofTest {
     void theChanceOfAnAlertIsTheMeanOfAllMoments() {
         SceneSettings scene =
                 RouteScene.withoutCues(randomFlight(new SplittableRandom(9))).withEnabled("ear", false);
-        List<Double> begins = RouteBegins.of(scene.enabledSensors().values());
+        List<Double> begins = RouteStarts.of(scene.enabledSensors().values());
         double mean = begins.stream()
                 .mapToDouble(begin -> alertInTime(RouteScene.later(scene, begin), 6.0))
                 .average()
                 .orElseThrow();
 
-        assertThat(begins).hasSize(RouteBegins.MOST);
+        assertThat(begins).hasSize(RouteStarts.MOST);
         assertThat(mean).isPositive();
         assertThat(FlownRoute.of(scene, models).interruption(6.0).orElseThrow()).isCloseTo(mean, within(1e-12));
     }

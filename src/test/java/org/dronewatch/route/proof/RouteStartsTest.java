@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A certain radar that scans every 5 s: where a drone begins decides nothing, since it may begin at any moment. */
-class RouteBeginsTest {
+class RouteStartsTest {
     /** It sees for certain up to 80 m, high above the boxes of the site. */
     private static final String RADAR =
             """
@@ -56,7 +56,7 @@ class RouteBeginsTest {
         for (double from : new double[] {100, 120, 140, 160, 180}) {
             FlownRoute flown = flown(scene(RADAR, from));
 
-            assertThat(flown.detection()).as("from %s m", from).isCloseTo(0.4, within(1.0 / RouteBegins.MOST));
+            assertThat(flown.detection()).as("from %s m", from).isCloseTo(0.4, within(1.0 / RouteStarts.MOST));
             assertThat(flown.exposure().detection(1000.0)).isCloseTo(flown.detection(), within(1e-5));
             double seconds = (from - 40) / SPEED;
             assertThat(flown.exposure().medianDetection().orElseThrow()).isBetween(seconds - 2.0, seconds);
@@ -79,10 +79,10 @@ class RouteBeginsTest {
 
     /** Before it begins, the drone waits in range: what the radar sees then is not on the route. */
     @Test
-    void whatIsSeenBeforeTheRouteBeginsDoesNotCount() throws IOException {
+    void whatIsSeenBeforeTheRouteStartsDoesNotCount() throws IOException {
         FlownRoute flown = flown(scene(RADAR, 60));
 
-        assertThat(flown.detection()).isCloseTo(1.0 / SPEED * 20 / 5, within(1.0 / RouteBegins.MOST));
+        assertThat(flown.detection()).isCloseTo(1.0 / SPEED * 20 / 5, within(1.0 / RouteStarts.MOST));
     }
 
     /** A camera sees the drone wait: in a run, its observer has longer to search than one whom the route surprises. */
@@ -117,8 +117,8 @@ class RouteBeginsTest {
                             .formatted(360.0 / (5 * scans));
             SceneSettings scene = scene(RADAR + round, 140);
 
-            assertThat(RouteBegins.slowest(scene.enabledSensors())).contains("round");
-            assertThat(flown(scene).detection()).as("%d scans", scans).isCloseTo(0.4, within(2.0 / RouteBegins.MOST));
+            assertThat(RouteStarts.slowest(scene.enabledSensors())).contains("round");
+            assertThat(flown(scene).detection()).as("%d scans", scans).isCloseTo(0.4, within(2.0 / RouteStarts.MOST));
         }
     }
 
@@ -142,10 +142,10 @@ class RouteBeginsTest {
     void unevennessIsTheDiscrepancyOnTheCircle() {
         List<Double> even = IntStream.range(0, 8).mapToObj(i -> i * 5.0 / 8.0).toList();
 
-        assertThat(RouteBegins.unevenness(even, 5.0)).isCloseTo(1.0 / 8.0, within(1e-12));
+        assertThat(RouteStarts.unevenness(even, 5.0)).isCloseTo(1.0 / 8.0, within(1e-12));
         // Twice round, two at each of four phases; eight times round, all at one.
-        assertThat(RouteBegins.unevenness(even, 2.5)).isCloseTo(1.0 / 4.0, within(1e-12));
-        assertThat(RouteBegins.unevenness(even, 5.0 / 8.0)).isCloseTo(1.0, within(1e-12));
+        assertThat(RouteStarts.unevenness(even, 2.5)).isCloseTo(1.0 / 4.0, within(1e-12));
+        assertThat(RouteStarts.unevenness(even, 5.0 / 8.0)).isCloseTo(1.0, within(1e-12));
     }
 
     @Test
@@ -156,13 +156,13 @@ class RouteBeginsTest {
 
         SceneSettings always = scene(RADAR.replace("rate: 0.2", "rate: 10"), 160);
 
-        assertThat(RouteBegins.of(always.enabledSensors().values())).containsExactly(0.0);
-        assertThat(RouteBegins.slowest(always.enabledSensors())).isEmpty();
-        assertThat(RouteBegins.of(often.enabledSensors().values())).containsExactly(0.0, 0.0625, 0.125, 0.1875);
-        assertThat(RouteBegins.slowest(often.enabledSensors())).contains("slow");
+        assertThat(RouteStarts.of(always.enabledSensors().values())).containsExactly(0.0);
+        assertThat(RouteStarts.slowest(always.enabledSensors())).isEmpty();
+        assertThat(RouteStarts.of(often.enabledSensors().values())).containsExactly(0.0, 0.0625, 0.125, 0.1875);
+        assertThat(RouteStarts.slowest(often.enabledSensors())).contains("slow");
         // Of the slow periods there is one only.
-        assertThat(RouteBegins.of(both.enabledSensors().values()))
+        assertThat(RouteStarts.of(both.enabledSensors().values()))
                 .containsExactly(0.0, 0.625, 1.25, 1.875, 2.5, 3.125, 3.75, 4.375);
-        assertThat(RouteBegins.slowest(both.enabledSensors())).contains("slow");
+        assertThat(RouteStarts.slowest(both.enabledSensors())).contains("slow");
     }
 }

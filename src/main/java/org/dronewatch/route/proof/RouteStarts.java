@@ -20,7 +20,7 @@ import org.dronewatch.sensor.SensorSettings;
  * shifted within their parts of the longest one so that they are spread as evenly as possible over each period, even
  * where one is a multiple of another. There are fewer moments if no sensor has a period of more than half a second.
  */
-public final class RouteBegins {
+public final class RouteStarts {
     /** The maximum number of moments. */
     public static final int MOST = 8;
 
@@ -36,7 +36,7 @@ public final class RouteBegins {
     /** The number of ways to move the moments within their intervals of which the best one is taken. */
     private static final int WAYS = 64;
 
-    private RouteBegins() {}
+    private RouteStarts() {}
 
     /** The moments, s since the start of the run, beginning with 0; only 0 if all sensors look often. */
     public static List<Double> of(Collection<SensorSettings<?>> sensors) {
@@ -46,7 +46,7 @@ public final class RouteBegins {
         }
         boolean isSlow = longest > SLOW;
         double[] periods = sensors.stream()
-                .flatMapToDouble(RouteBegins::periods)
+                .flatMapToDouble(RouteStarts::periods)
                 .filter(period -> period > (isSlow ? SLOW : SHORT))
                 .distinct()
                 .toArray();
@@ -87,7 +87,7 @@ public final class RouteBegins {
 
     /** The longest period of a sensor, s; 0 without sensors. */
     public static double period(Collection<SensorSettings<?>> sensors) {
-        return sensors.stream().mapToDouble(RouteBegins::period).max().orElse(0.0);
+        return sensors.stream().mapToDouble(RouteStarts::period).max().orElse(0.0);
     }
 
     /** The name of the sensor with the longest period; empty if all sensors look often. */
