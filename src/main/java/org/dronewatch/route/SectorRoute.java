@@ -104,8 +104,8 @@ public record SectorRoute(
 
     /**
      * Whether a route from the sector on which the drone is less likely to be detected cannot be ruled out: the lower
-     * bound of the exposure allows a probability of a detection that counts that is more than 20 percentage points lower
-     * than as flown.
+     * bound of the exposure allows a probability of a detection that counts that is more than 20 percentage points
+     * lower than as flown.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
