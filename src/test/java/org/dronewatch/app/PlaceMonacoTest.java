@@ -142,7 +142,7 @@ class PlaceMonacoTest {
 
     /**
      * 200 candidates of eight kinds, in as many cells as are asked for: {@code -Ddronewatch.cell=8m} makes 250,000 of
-     * them, which takes hours. Once the candidates have been assessed, the search itself is timed.
+     * them, which takes long. Once the candidates have been assessed, the search itself is timed.
      */
     @Test
     void twoHundredCandidates() throws IOException {
