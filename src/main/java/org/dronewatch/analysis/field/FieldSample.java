@@ -1,5 +1,6 @@
 package org.dronewatch.analysis.field;
 
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldColumns;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -7,16 +8,16 @@ import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.world.World;
 
 /**
- * What the sensors of a field detect at places between the middles of its cells. The places are spread evenly between
+ * What the sensors of a field detect at 4,096 places between the middles of its cells. The places are spread evenly between
  * the middles of the outermost columns and between the lowest and the highest height: they are the points of the
  * additive sequence R3 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), the same for
  * every field of the same grid. Immutable.
  */
 public final class FieldSample {
-    /** The number of places. */
-    public static final int COUNT = 4096;
+    private static final int COUNT = 4096;
 
     /** The places are assessed in rows, each by one thread. */
     private static final int COLUMNS = 64;
@@ -25,19 +26,57 @@ public final class FieldSample {
     private static final double G = 1.2207440846057596;
 
     private final FieldColumns places;
+    private final FieldColumns chosen;
     private final FieldSensors sensors;
 
-    private FieldSample(FieldColumns places, FieldSensors sensors) {
+    private FieldSample(FieldColumns places, FieldColumns chosen, FieldSensors sensors) {
         this.places = places;
+        this.chosen = chosen;
         this.sensors = sensors;
     }
 
-    /** Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread. */
-    public static FieldSample of(DetectionField field) {
-        FieldColumns places =
-                new FieldColumns(field.all().probe(0).world(), COLUMNS, COUNT / COLUMNS, 1, new Spread(field.grid()));
+    /**
+     * Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread.
+     *
+     * @param which the places at which they are assessed, if the drone can be there, m
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static FieldSample of(DetectionField field, Predicate<Position> which) {
+        World world = field.all().probe(0).world();
+        Spread spread = new Spread(field.grid());
+        FieldColumns places = columns(world, spread);
+        FieldColumns chosen = columns(world, new Chosen(spread, places, which));
         return new FieldSample(
-                places, field.all().in(places, LayerStore.NONE, field.grid().toString(), "sample", cells -> {}));
+                places,
+                chosen,
+                field.all().in(chosen, LayerStore.NONE, field.grid().toString(), "sample", cells -> {}));
+    }
+
+    private static FieldColumns columns(World world, FieldColumns.Plan plan) {
+        return new FieldColumns(world, COLUMNS, COUNT / COLUMNS, 1, plan);
+    }
+
+    /** Some of the points at which a drone can be. */
+    private record Chosen(Spread all, FieldColumns places, Predicate<Position> which) implements FieldColumns.Plan {
+        @Override
+        public double x(int column, int row) {
+            return all.x(column, row);
+        }
+
+        @Override
+        public double y(int column, int row) {
+            return all.y(column, row);
+        }
+
+        @Override
+        public double above(int level, int column, int row) {
+            return all.above(level, column, row);
+        }
+
+        @Override
+        public boolean isOutside(int column, int row) {
+            return !places.isOpen(0, column, row) || !which.test(places.middle(0, column, row));
+        }
     }
 
     /** Points of the sequence in a grid. */
@@ -75,29 +114,25 @@ public final class FieldSample {
         }
     }
 
-    /** Whether a drone can be at a place, given by its number: over ground, and with nothing solid around it. */
-    public boolean isOpen(int place) {
-        return places.isOpen(0, column(place), row(place));
+    /** The number of places at which a drone can be: with ground below them, and nothing solid around them. */
+    public int openCount() {
+        return places.openCount();
     }
 
-    /** A place with ground below it, m. */
-    public Position position(int place) {
-        return places.middle(0, column(place), row(place));
+    /**
+     * The number of places at which the sensors were assessed, and none of them detects the drone with a probability
+     * above 0, on any course.
+     */
+    public int undetectedCount() {
+        return (int) IntStream.range(0, COUNT)
+                .filter(place -> chosen.isOpen(0, place % COLUMNS, place / COLUMNS) && isUndetected(place))
+                .count();
     }
 
-    /** Whether no sensor is known to detect the drone at a place, on any course, with a probability above 0. */
-    public boolean isUndetected(int place) {
+    private boolean isUndetected(int place) {
         return IntStream.range(0, sensors.names().size())
                 .allMatch(sensor -> IntStream.range(0, sensors.courses().size())
-                        .map(course -> sensors.step(sensor, 0, column(place), row(place), course))
+                        .map(course -> sensors.step(sensor, 0, place % COLUMNS, place / COLUMNS, course))
                         .allMatch(step -> ProbabilityStep.least(step) == 0.0));
-    }
-
-    private static int column(int place) {
-        return place % COLUMNS;
-    }
-
-    private static int row(int place) {
-        return place / COLUMNS;
     }
 }

@@ -1,8 +1,6 @@
 package org.dronewatch.route.proof;
 
-import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.FieldSample;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FieldExposure;
 import org.dronewatch.route.ModeField;
 import org.dronewatch.scenario.SceneSettings;
@@ -26,17 +24,7 @@ public record UnseenPlaces(int tried, int unseen) {
      */
     public static UnseenPlaces of(ModeField flown, SceneSettings settings) {
         FieldExposure exposure = FieldExposure.of(flown, settings);
-        FieldSample sample = FieldSample.of(flown.field());
-        int[] open =
-                IntStream.range(0, FieldSample.COUNT).filter(sample::isOpen).toArray();
-        long unseen = IntStream.of(open)
-                .filter(sample::isUndetected)
-                .filter(place -> isCountedOn(exposure, sample.position(place)))
-                .count();
-        return new UnseenPlaces(open.length, (int) unseen);
-    }
-
-    private static boolean isCountedOn(FieldExposure exposure, Position at) {
-        return exposure.least(at, at, 0) > 0.0;
+        FieldSample sample = FieldSample.of(flown.field(), place -> exposure.least(place, place, 0) > 0.0);
+        return new UnseenPlaces(sample.openCount(), sample.undetectedCount());
     }
 }
