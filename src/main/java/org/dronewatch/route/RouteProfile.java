@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.RouteExposure;
 import org.dronewatch.route.search.RoutePath;
@@ -28,8 +29,12 @@ public record RouteProfile(List<RoutePoint> points) {
         }
     }
 
-    /** The profile of a path, with a point at least every half node's distance and at each of its corners. */
-    static RouteProfile of(RoutePath path, RouteProblem problem) {
+    /**
+     * The profile of a path, with a point at least every half node's distance and at each of its corners.
+     *
+     * @param height the height of a point above the ground, m
+     */
+    static RouteProfile of(RoutePath path, RouteProblem problem, ToDoubleFunction<Position> height) {
         RouteExposure exposure = new RouteExposure(problem);
         double step = 0.5 * problem.grid().spacing();
         List<RoutePoint> points = new ArrayList<>();
@@ -52,7 +57,7 @@ public record RouteProfile(List<RoutePoint> points) {
                         time + begun * lasts,
                         distance + begun * length,
                         here,
-                        above(problem, here),
+                        height.applyAsDouble(here),
                         mode,
                         sum,
                         piece == 0));
@@ -63,7 +68,7 @@ public record RouteProfile(List<RoutePoint> points) {
         }
         Position end = path.points().get(legs);
         int last = legs == 0 ? 0 : path.modes().get(legs - 1);
-        points.add(new RoutePoint(time, distance, end, above(problem, end), last, sum, true));
+        points.add(new RoutePoint(time, distance, end, height.applyAsDouble(end), last, sum, true));
         return new RouteProfile(points);
     }
 
@@ -77,10 +82,6 @@ public record RouteProfile(List<RoutePoint> points) {
 
     private static Position between(Position from, Position to, double share) {
         return from.plus(to.minus(from).times(share));
-    }
-
-    private static double above(RouteProblem problem, Position at) {
-        return problem.grid().above(at);
     }
 
     /** Its last point. */

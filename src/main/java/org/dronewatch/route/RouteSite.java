@@ -18,6 +18,8 @@ import org.dronewatch.route.search.RouteProblem;
 import org.dronewatch.route.search.WeakestRoutes;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.world.SurfaceColumn;
+import org.dronewatch.world.World;
 
 /**
  * Where a drone may fly at a site, and where its routes begin and end: whatever does not depend on the sensors.
@@ -33,6 +35,7 @@ import org.dronewatch.scenario.SceneSettings;
  * @param arrival where a route arrives between nodes
  * @param response time from a detection until the drone is stopped, s
  * @param middle of the protected zone or of the sensors, m
+ * @param world the site itself
  */
 record RouteSite(
         SiteNodes nodes,
@@ -45,7 +48,8 @@ record RouteSite(
         Passage passage,
         RouteEnd arrival,
         double response,
-        Position middle) {
+        Position middle,
+        World world) {
     /** What a flight of the whole endurance counts for, so that of equally exposed routes the fastest is found. */
     private static final double PRICE_OF_ENDURANCE = 1e-3;
 
@@ -91,7 +95,8 @@ record RouteSite(
                 Passage.through(stage.world()),
                 !protection.isEmpty() && reach == 0.0 ? protection::entry : RouteEnd.AT_NODE,
                 settings.alert().response(),
-                middle);
+                middle,
+                stage.world());
     }
 
     private static void checkNodes(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
@@ -127,6 +132,14 @@ record RouteSite(
                 ? WeakestRoutes.inTime(problem, reached, response, ofTime, arrival)
                 : WeakestRoutes.of(problem, reached, ofTime, arrival);
         EnduranceLimit limit = new EnduranceLimit(modes, endurance, search);
-        return new SiteRoutes(sensors, exposure, problem, search.apply(price), limit, middle);
+        return new SiteRoutes(sensors, exposure, problem, search.apply(price), limit, middle, this::height);
+    }
+
+    /** The height of a point above the ground, m; where there is none, above that of the grid. */
+    private double height(Position at) {
+        return SurfaceColumn.at(world, at.x(), at.y())
+                .ground()
+                .map(ground -> at.z() - ground.z())
+                .orElseGet(() -> nodes.grid().above(at));
     }
 }

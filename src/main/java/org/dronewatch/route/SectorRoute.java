@@ -77,29 +77,32 @@ public record SectorRoute(
     }
 
     /**
-     * Whether the search would misjudge the route even if it knew exactly what a look at each point of the route
-     * detects, because a slow sensor may look before the drone comes into sight or after it has gone.
+     * Whether the search misjudges the route because it counts on looks at any moment: it would even if it knew exactly
+     * what a look at each point of the route detects, because a slow sensor may look before the drone comes into sight
+     * or after it has gone. Fewer flights than expected are then detected, never more.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudgedForScans(double response) {
-        return flown.map(looks -> isApart(looks.detectionByFastLooks(counted(response)), inTime(response)))
+        return flown.map(looks -> explains(looks.detectionByFastLooks(counted(response)), inTime(response), response))
                 .orElse(false);
     }
 
     /**
-     * Whether the search would misjudge the route even if the sensors looked all the time, because it knows only the
-     * middle of each cell.
+     * Whether the search misjudges the route because it knows only the middle of each cell: it would even if the sensors
+     * looked all the time.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
     public boolean isMisjudgedForCells(double response) {
-        return flown.map(looks -> isApart(looks.detectionByFastLooks(counted(response)), route.detection()))
+        return flown.map(looks -> explains(route.detection(), looks.detectionByFastLooks(counted(response)), response))
                 .orElse(false);
     }
 
-    private static boolean isApart(double one, double other) {
-        return Math.abs(one - other) > MISJUDGED / 2;
+    /** Whether a step from one probability to another is much of the step from the search to the flight. */
+    private boolean explains(double from, double to, double response) {
+        return Math.abs(to - from) > MISJUDGED / 2
+                && Math.signum(to - from) == Math.signum(inTime(response) - route.detection());
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.InboundTarget;
@@ -44,11 +45,13 @@ public final class SiteRoutes {
     private final WeakestRoutes routes;
     private final EnduranceLimit endurance;
     private final Position middle;
+    private final ToDoubleFunction<Position> height;
 
     /**
      * Routes that were searched for.
      *
      * @param sensors their names, in the order of the scene
+     * @param height the height of a point above the ground, m
      */
     SiteRoutes(
             List<String> sensors,
@@ -56,13 +59,15 @@ public final class SiteRoutes {
             RouteProblem problem,
             WeakestRoutes routes,
             EnduranceLimit endurance,
-            Position middle) {
+            Position middle,
+            ToDoubleFunction<Position> height) {
         this.sensors = List.copyOf(sensors);
         this.exposure = exposure;
         this.problem = problem;
         this.routes = routes;
         this.endurance = endurance;
         this.middle = middle;
+        this.height = height;
     }
 
     /**
@@ -178,7 +183,7 @@ public final class SiteRoutes {
 
     /** The profile of a route as it is flown, with the exposure along the whole route. */
     public RouteProfile profile(WeakestRoute route) {
-        return RouteProfile.of(route.path(), problem);
+        return RouteProfile.of(route.path(), problem, height);
     }
 
     /** A route together with its exposure to the sensors. */

@@ -43,7 +43,9 @@ class RouteProfileTest {
         RouteGrid grid = RouteGrid.level(0.0, 0.0, 20.0, 20, 20, 20.0, 80.0);
         RouteMode mode = new RouteMode("powered", SPEED, 1.0, 1.0, Double.POSITIVE_INFINITY);
         return RouteProfile.of(
-                PATH, new RouteProblem(grid, new North(rate), List.of(mode), 0.0, PlanDirections.of(16), any, any));
+                PATH,
+                new RouteProblem(grid, new North(rate), List.of(mode), 0.0, PlanDirections.of(16), any, any),
+                grid::above);
     }
 
     /** The second leg climbs 60 m at 1 m/s: it takes 60 s, longer than its length at cruise speed. */

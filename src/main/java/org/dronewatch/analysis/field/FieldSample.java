@@ -11,9 +11,10 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
 /**
- * What the sensors of a field detect at 4,096 places between the middles of its cells. The places are spread evenly between
- * the middles of the outermost columns and between the lowest and the highest height: they are the points of the
- * additive sequence R3 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), the same for
+ * What the sensors of a field detect at 4,096 places between the middles of its cells. The places are spread evenly
+ * between the middles of the outermost columns, and lie between the lowest and the highest height: half of them in the
+ * lowest quarter of the levels, near the ground, where a drone finds something to hide behind. They are the points of
+ * the additive sequence R3 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), the same for
  * every field of the same grid. Immutable.
  */
 public final class FieldSample {
@@ -97,9 +98,12 @@ public final class FieldSample {
 
         @Override
         public double above(int level, int column, int row) {
-            double lowest = grid.heights().get(0);
-            double highest = grid.heights().get(grid.heights().size() - 1);
-            return lowest + part(column, row, 3) * (highest - lowest);
+            double share = part(column, row, 3);
+            double number = share * share * (grid.heights().size() - 1);
+            int lower = Math.min((int) number, Math.max(0, grid.heights().size() - 2));
+            int upper = Math.min(lower + 1, grid.heights().size() - 1);
+            double low = grid.heights().get(lower);
+            return low + (number - lower) * (grid.heights().get(upper) - low);
         }
 
         @Override

@@ -173,6 +173,16 @@ class RouteWordsTest {
         assertThat(warning(cells)).contains("try --cell 10m").doesNotContain("slow");
     }
 
+    /** Slow looks detect less than the search expects, so that they are no reason why it expects nothing. */
+    @Test
+    void doesNotNameTheScanWhereMoreIsDetectedThanExpected() {
+        SectorRoute more =
+                route(Map.of("slow", 20.0), 0.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
+
+        assertThat(more.inTime(15.0)).isCloseTo(0.5, within(1e-6));
+        assertThat(warning(more)).contains("try --cell 10m").doesNotContain("slow");
+    }
+
     /** A slower one hardly ever detects the drone, so that it makes no difference when it looks. */
     @Test
     void namesTheSensorWhoseLooksDisagreeWithTheSearch() {

@@ -30,6 +30,7 @@ class UnseenPlacesTest {
     private static final double GAP = 4.0;
     private static final double TOP = 20.0;
     private static final double LOWEST = 6.0;
+    private static final double MIDDLE = 15.0;
     private static final double HIGHEST = 30.0;
 
     private static final String SCENE =
@@ -82,7 +83,7 @@ class UnseenPlacesTest {
         SceneSettings settings = runner.settings();
         Stage stage = runner.stage(settings);
         Drone drone = DetectionField.droneOf(stage, "one");
-        FieldGrid grid = new FieldGrid(0, 0, 300, cell, List.of(LOWEST, 15.0, HIGHEST));
+        FieldGrid grid = new FieldGrid(0, 0, 300, cell, List.of(LOWEST, MIDDLE, HIGHEST));
         try (Workers workers = new Workers(threads)) {
             return workers.call(() -> {
                 DetectionField field = FieldAssessment.of(
@@ -98,11 +99,12 @@ class UnseenPlacesTest {
         }
     }
 
-    /** The places fill the area evenly, so that their share is that of the passage in the volume. */
+    /** The square root of the share of levels is spread evenly over the places: 20 m are 4/3 of two steps of height. */
     @Test
     void aPassageBetweenTheMiddlesOfCellsIsNoticed() throws IOException {
         UnseenPlaces places = places(15.0, "0 m/s", 2);
-        double passage = GAP / (300.0 - 15.0) * (TOP - LOWEST) / (HIGHEST - LOWEST);
+        double levels = (1.0 + (TOP - MIDDLE) / (HIGHEST - MIDDLE)) / 2.0;
+        double passage = GAP / (300.0 - 15.0) * Math.sqrt(levels);
 
         assertThat(places.tried()).isBetween(4000, 4096);
         assertThat(places.unseen()).isCloseTo((int) Math.rint(passage * 4096), within(4));
