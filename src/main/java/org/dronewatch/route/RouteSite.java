@@ -55,7 +55,7 @@ record RouteSite(
 
     private static final String NO_CELL =
             "no cell there has its centre above known ground and outside everything solid,"
-                    + " at any of the heights; smaller cells or other heights may help";
+                    + " at any of the heights; a larger side, smaller cells or other heights may help";
 
     RouteSite {
         modes = List.copyOf(modes);

@@ -89,8 +89,8 @@ public record SectorRoute(
     }
 
     /**
-     * Whether the search misjudges the route because it knows only the middle of each cell: it would even if the sensors
-     * looked all the time.
+     * Whether the search misjudges the route because it knows only the middle of each cell: it would even if the
+     * sensors looked all the time.
      *
      * @param response time that the response takes, s; 0 if none is required
      */

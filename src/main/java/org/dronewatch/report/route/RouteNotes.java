@@ -173,17 +173,24 @@ final class RouteNotes {
         return Numbers.text(Math.rint(100.0 * RouteStarts.period(these.values())) / 100.0) + " s";
     }
 
-    /** States that no route is long enough for a detection in time; empty if one is, or no response is required. */
+    /** States which routes are too short for a detection in time; empty if none is, or no response is required. */
     private Optional<String> tooShort(RouteSurvey survey) {
+        List<String> sectors = sectors(survey, route -> route.searched().end().time() < inputs.response());
         OptionalDouble longest = survey.routes().stream()
                 .mapToDouble(route -> route.searched().end().time())
+                .filter(seconds -> seconds < inputs.response())
                 .max();
-        return longest.isPresent() && longest.getAsDouble() < inputs.response()
-                ? Optional.of("no detection can be in time, because each route takes " + RouteNumbers.seconds(longest)
-                        + " at most, and the response " + number(inputs.response())
+        return longest.isEmpty()
+                ? Optional.empty()
+                : Optional.of("no detection can be in time"
+                        + (sectors.size() == survey.routes().size()
+                                ? ", because each route takes "
+                                : " on the " + (sectors.size() == 1 ? "route" : "routes") + " from the "
+                                        + listed(sectors) + ", which " + (sectors.size() == 1 ? "takes " : "take "))
+                        + RouteNumbers.seconds(longest) + (sectors.size() == 1 ? ", and" : " at most, and")
+                        + " the response " + number(inputs.response())
                         + " s: let the routes begin farther away with a larger --side, if the site extends that far, or with"
-                        + " --launch")
-                : Optional.empty();
+                        + " --launch");
     }
 
     /**

@@ -173,6 +173,25 @@ class RouteWordsTest {
         assertThat(warning(cells)).contains("try --cell 10m").doesNotContain("slow");
     }
 
+    /** Nobody is told to rely on a direction from which the drone arrives before the response does. */
+    @Test
+    void namesTheDirectionsFromWhichNothingIsInTime() {
+        SectorRoute far = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));
+        RouteProfile profile = new RouteProfile(
+                List.of(new RoutePoint(0, 0, START, 30, 0, 0, true), new RoutePoint(10, 100, END, 30, 0, 1, true)));
+        SectorRoute near = new SectorRoute(2, far.route(), profile, far.bySensor(), Map.of(), far.flown());
+        RouteSurvey alone = results(far, Map.of()).survey();
+        RouteSurvey both = new RouteSurvey(List.of(far, near), alone.modes(), END, 15.0, true);
+        RouteSurvey nearAlone = new RouteSurvey(List.of(near), alone.modes(), END, 15.0, true);
+
+        assertThat(warning(far)).doesNotContain("no detection");
+        assertThat(new RouteNotes(inputs).warnings(both).get(0))
+                .contains(
+                        "no detection can be in time on the route from the east, which takes 10 s, and the response 15 s");
+        assertThat(new RouteNotes(inputs).warnings(nearAlone).get(0))
+                .contains("no detection can be in time, because each route takes 10 s, and the response 15 s");
+    }
+
     /** Slow looks detect less than the search expects, so that they are no reason why it expects nothing. */
     @Test
     void doesNotNameTheScanWhereMoreIsDetectedThanExpected() {
