@@ -27,6 +27,7 @@ import org.dronewatch.report.labels.LabelPlan;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunInfo;
+import org.dronewatch.run.RunResult;
 import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.run.Stage;
@@ -169,8 +170,23 @@ final class RunCommand implements Callable<Integer> {
                 printAlerts(result, out);
                 FalseAlarmLines.print(result, out);
             });
+            if (!result.complete()) {
+                spec.commandLine().getErr().println("interrupted: " + until(result));
+            }
             notes.accept("results in " + directory);
         }
+    }
+
+    /** How far a result goes that was stopped early. */
+    private static String until(SceneResult result) {
+        RunResult last = result.runs().get(result.runs().size() - 1);
+        String of = result.runs().size() == 1 ? "" : " of run " + last.run();
+        return String.format(
+                Locale.ROOT,
+                "these are the results up to %.1f s of %.1f s%s",
+                last.simulated(),
+                last.settings().run().duration(),
+                of);
     }
 
     /** Writes the rays at the start of the first run. */

@@ -61,7 +61,7 @@ class ResultsApartTest {
 
         assertThat(outcome.code()).as(outcome.err()).isEqualTo(2);
         assertThat(outcome.complaints()).hasSize(1);
-        assertThat(outcome.complaints().get(0)).contains(out.toString(), "name a");
+        assertThat(outcome.complaints().get(0)).contains(out.toString(), "choose ");
         if (!command.equals("campaign")) {
             assertThat(outcome.complaints().get(0)).contains(" holds the results of ", "(" + sign + ")");
         }

@@ -82,7 +82,7 @@ public final class PlaceDirectory implements AutoCloseable {
             String text = plan.runner().text(layout.get(), target.resolve(SCENE));
             Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
         } catch (InputException e) {
-            notes.accept("the layout is not written as a scene: " + e.getMessage());
+            notes.accept("the layout is not written as a scene, so there is no layout.yaml: " + e.getMessage());
         }
         return layout;
     }

@@ -10,6 +10,7 @@ import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SweptValue;
+import org.dronewatch.scenario.advice.AngleAdvice;
 import org.dronewatch.scenario.advice.LightAdvice;
 import org.dronewatch.scenario.advice.OriginAdvice;
 import org.dronewatch.scenario.advice.PositionerAdvice;
@@ -36,6 +37,7 @@ public record SiteAdvice(SceneSettings settings, World world) {
     /** Gives one line for each warning. */
     public void giveTo(Consumer<String> target) {
         settings.world().origin().ifPresent(origin -> new OriginAdvice(origin).giveTo(target));
+        onAngles(target);
         onSurfaces(target);
         onTerrain(target);
         new LightAdvice(settings.world().light()).giveTo(target);
@@ -55,6 +57,15 @@ public record SiteAdvice(SceneSettings settings, World world) {
         }
         Clearance clearance = new Clearance(world);
         settings.enabledSensors().forEach((id, sensor) -> onPosition(id, sensor, clearance, target));
+    }
+
+    private void onAngles(Consumer<String> target) {
+        settings.enabledSensors().forEach((id, sensor) -> {
+            if (sensor instanceof Record record) {
+                new AngleAdvice("sensors." + id, record).giveTo(target);
+            }
+        });
+        settings.individualDrones().forEach((id, drone) -> new AngleAdvice("drones." + id, drone).giveTo(target));
     }
 
     private void onSurfaces(Consumer<String> target) {
