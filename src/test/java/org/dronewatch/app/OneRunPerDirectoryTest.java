@@ -42,7 +42,7 @@ class OneRunPerDirectoryTest {
                 "run",
                 "camera-range",
                 "--set",
-                "sensors.camera.fov=1",
+                "sensors.camera.fov=60deg",
                 "--set",
                 "run.duration=1",
                 "--out",
