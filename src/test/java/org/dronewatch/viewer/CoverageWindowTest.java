@@ -12,7 +12,6 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
@@ -79,15 +78,9 @@ class CoverageWindowTest {
         await("the focus", part::isFocusOwner);
     }
 
-    private static Stream<Component> all(Container inside) {
-        return Stream.of(inside.getComponents())
-                .flatMap(part -> Stream.concat(
-                        Stream.of(part), part instanceof Container container ? all(container) : Stream.of()));
-    }
-
     @Test
     void itIsUsedByKeysAloneAndEverythingHasAName() throws Exception {
-        List<JTextField> fields = onEventThread(() -> all(panel)
+        List<JTextField> fields = onEventThread(() -> Parts.in(panel)
                 .filter(JTextField.class::isInstance)
                 .map(JTextField.class::cast)
                 .toList());
@@ -129,7 +122,7 @@ class CoverageWindowTest {
         key(viewer.pane().world(), KeyEvent.VK_K, 'k');
         assertThat(skinShown()).isTrue();
 
-        List<String> unnamed = onEventThread(() -> all(panel)
+        List<String> unnamed = onEventThread(() -> Parts.in(panel)
                 .filter(part -> part.isFocusable() && part.isShowing() && part.isEnabled())
                 .filter(part -> part instanceof JTextField
                         || part instanceof javax.swing.AbstractButton
@@ -149,9 +142,9 @@ class CoverageWindowTest {
 
     @Test
     void theLegendCanBeReadAsSoonAsItIsThere() throws Exception {
-        List<JLabel> meanings = onEventThread(() -> all(panel)
+        List<JLabel> meanings = onEventThread(() -> Parts.in(panel)
                 .filter(CoverageLegend.class::isInstance)
-                .flatMap(legend -> all((Container) legend))
+                .flatMap(legend -> Parts.in((Container) legend))
                 .filter(JLabel.class::isInstance)
                 .map(JLabel.class::cast)
                 .toList());

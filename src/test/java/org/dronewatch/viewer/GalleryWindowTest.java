@@ -6,7 +6,6 @@ import static org.dronewatch.viewer.EventThread.onEventThread;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
@@ -79,13 +78,6 @@ class GalleryWindowTest {
         return gallery().orElseThrow();
     }
 
-    private static Stream<Component> all(Component part) {
-        return part instanceof Container inside
-                ? Stream.concat(
-                        Stream.of(part), Stream.of(inside.getComponents()).flatMap(GalleryWindowTest::all))
-                : Stream.of(part);
-    }
-
     /** The height of wrapped text if all of it is shown, in pixels. */
     private static double wholeHeight(WrappedText text) {
         try {
@@ -118,7 +110,7 @@ class GalleryWindowTest {
             assertThat(button.getAccessibleContext().getAccessibleName()).isEqualTo(button.getText());
             assertThat(button.getAccessibleContext().getAccessibleDescription()).matches("[A-Z].*[a-z]\\.");
         });
-        assertThat(all(gallery)
+        assertThat(Parts.in(gallery)
                         .filter(WrappedText.class::isInstance)
                         .map(WrappedText.class::cast)
                         .filter(text -> text.getText().endsWith(".")))

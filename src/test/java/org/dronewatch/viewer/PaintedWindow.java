@@ -1,6 +1,5 @@
 package org.dronewatch.viewer;
 
-import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
@@ -148,7 +147,10 @@ public final class PaintedWindow {
     /** The packaged scenes to choose from; in the light look, whatever was set before. */
     public static BufferedImage gallery() throws Exception {
         Object before = UIManager.getLookAndFeel();
-        onEventThread(FlatLightLaf::setup);
+        onEventThread(() -> {
+            ViewerWindow.setLook(false);
+            return null;
+        });
         try {
             ScenePictures pictures = ScenePictures.read();
             return onEventThread(() -> {
@@ -174,7 +176,10 @@ public final class PaintedWindow {
     private static BufferedImage at(
             double time, SceneRunner runner, String title, int width, int height, List<Step> steps) throws Exception {
         Object before = UIManager.getLookAndFeel();
-        onEventThread(FlatLightLaf::setup);
+        onEventThread(() -> {
+            ViewerWindow.setLook(false);
+            return null;
+        });
         try {
             Recording recording = new Recording();
             runner.listener(recording).run();

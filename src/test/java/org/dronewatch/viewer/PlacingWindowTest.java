@@ -6,7 +6,6 @@ import static org.dronewatch.viewer.EventThread.await;
 import static org.dronewatch.viewer.EventThread.onEventThread;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -14,7 +13,6 @@ import java.awt.event.MouseEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JTextField;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.render.Orbit;
@@ -148,12 +146,6 @@ class PlacingWindowTest {
                         && viewer.pane().isIdle());
     }
 
-    private static Stream<Component> all(Container inside) {
-        return Stream.of(inside.getComponents())
-                .flatMap(part -> Stream.concat(
-                        Stream.of(part), part instanceof Container container ? all(container) : Stream.of()));
-    }
-
     /** What is then shown is what is computed for the scene with the sensor at its new place. */
     @Test
     void aDraggedSensorTakesItsCoverageAlong() throws Exception {
@@ -215,7 +207,7 @@ class PlacingWindowTest {
             viewer.pane().tabs().setSelectedComponent(placing);
             return null;
         });
-        List<JTextField> fields = onEventThread(() -> all(placing)
+        List<JTextField> fields = onEventThread(() -> Parts.in(placing)
                 .filter(JTextField.class::isInstance)
                 .map(JTextField.class::cast)
                 .toList());
@@ -231,7 +223,7 @@ class PlacingWindowTest {
         assertThat(placing.said()).startsWith("north far: 'far' is not a number");
         enter(fields.get(1), "5000");
         assertThat(placing.said()).isEqualTo("'camera' stays where it is: there is no ground.");
-        assertThat(all(placing).filter(JTextField.class::isInstance).map(Component::getAccessibleContext))
+        assertThat(Parts.in(placing).filter(JTextField.class::isInstance).map(Component::getAccessibleContext))
                 .allSatisfy(context -> assertThat(context.getAccessibleName()).isNotBlank());
 
         Path file = directory.resolve("moved.yaml");

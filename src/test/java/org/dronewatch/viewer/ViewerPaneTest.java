@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.dronewatch.viewer.EventThread.onEventThread;
 
 import java.awt.Color;
-import java.awt.Component;
 import java.awt.Container;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -59,7 +58,7 @@ class ViewerPaneTest {
         pane = onEventThread(() -> new ViewerPane(scene.name(), recording, 2, settings -> LayerStore.NONE));
         onEventThread(() -> {
             pane.setSize(1280, 740);
-            layOut(pane);
+            Parts.layOut(pane);
             return null;
         });
         settle(() -> pane.viewed().isPresent());
@@ -72,16 +71,6 @@ class ViewerPaneTest {
         }
     }
 
-    /** Without a window nobody else lays out what is in it. */
-    private static void layOut(Container container) {
-        container.doLayout();
-        for (Component part : container.getComponents()) {
-            if (part instanceof Container inside) {
-                layOut(inside);
-            }
-        }
-    }
-
     /** Lets the pane work until a condition holds and all is drawn. */
     private void settle(BooleanSupplier condition) throws Exception {
         long end = System.nanoTime() + PATIENCE_NANOS;
@@ -91,7 +80,7 @@ class ViewerPaneTest {
             Thread.sleep(30);
             done = onEventThread(() -> {
                 pane.tick(0.2);
-                layOut(pane);
+                Parts.layOut(pane);
                 return condition.getAsBoolean() && pane.isIdle();
             });
         }

@@ -77,7 +77,6 @@ public final class CoverageSwitches extends JPanel {
     private void head(String text, int column, String explanation) {
         JLabel label = new JLabel(text);
         label.setFont(Scaled.font(0.9));
-        label.setEnabled(false);
         label.setToolTipText(explanation);
         add(label, column, 0);
     }
