@@ -15,14 +15,14 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.LongForm;
-import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.route.WeakestRouteSearch;
+import org.dronewatch.run.store.StorePlace;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** In Monaco: the chosen layout, run by other commands, gives the figures that {@code place} promised. */
 class PlaceMonacoTest {
@@ -42,62 +42,32 @@ class PlaceMonacoTest {
     }
 
     /** Runs the packaged placement with other lines in place of its conditions and its airspace. */
-    private Outcome place(String lines, String... more) throws IOException {
+    private PlacedLayout place(String lines, String... more) throws IOException {
         String packaged = Files.readString(SCENES.resolve("palace.place.yaml"));
         String start = packaged.substring(0, packaged.indexOf("conditions:"));
         Path file = Files.writeString(directory.resolve("here.place.yaml"), start + lines);
-        List<String> words = new ArrayList<>(List.of("place", file.toString(), "--budgets=1", "--out=" + directory));
-        words.addAll(List.of(more));
-        Outcome place = Program.run(words.toArray(String[]::new));
-        assertThat(place.code()).as(place.err()).isZero();
-        return place;
-    }
-
-    /** Runs the command that is printed for the layout. */
-    private JsonNode again(String command, Outcome place, String... more) {
-        Matcher printed =
-                Pattern.compile("'(" + command + " layout.yaml .*?)' gives").matcher(place.out());
-        assertThat(printed.find()).as(place.out()).isTrue();
-        List<String> words = new ArrayList<>();
-        for (String word : printed.group(1).split(" ")) {
-            words.add(word.endsWith(".yaml") ? directory.resolve(word).toString() : word);
-        }
-        words.add("--json");
-        words.addAll(List.of(more));
-        Outcome again = Program.run(words.toArray(String[]::new));
-        assertThat(again.code()).as(again.err()).isZero();
-        return JsonMapper.builder().build().readTree(again.out());
-    }
-
-    private JsonNode promised() {
-        return JsonMapper.builder()
-                .build()
-                .readTree(directory.resolve("place.json").toFile());
+        List<String> options = new ArrayList<>(List.of("--budgets=1"));
+        options.addAll(List.of(more));
+        return PlacedLayout.of(file, directory, options.toArray(String[]::new));
     }
 
     @Test
     void coverage() throws IOException {
-        Outcome place = place("air: {side: 1500 m, cell: 75 m, heights: [30 m, 60 m, 120 m], heading: inbound}\n");
-        double known = 0.0;
-        double covered = 0.0;
-        for (JsonNode height : again("coverage", place).get("heights")) {
-            known += height.get("known").asDouble();
-            covered +=
-                    height.get("covered_share").asDouble() * height.get("known").asDouble();
-        }
+        PlacedLayout place = place("air: {side: 1500 m, cell: 75 m, heights: [30 m, 60 m, 120 m], heading: inbound}\n");
+        double covered = place.coveredShare();
 
-        assertThat(covered / known).isBetween(0.5, 0.999);
-        assertThat(promised().get("value").asDouble()).isCloseTo(covered / known, within(ROUNDING));
+        assertThat(covered).isBetween(0.5, 0.999);
+        assertThat(place.promised().get("value").asDouble()).isCloseTo(covered, within(ROUNDING));
     }
 
     @Test
     void warnings() throws IOException {
         for (String measure : List.of("mean", "worst")) {
-            Outcome place = place("objective: warning-time\nwarning: " + measure
+            PlacedLayout place = place("objective: warning-time\nwarning: " + measure
                     + "\nair: {side: 1500 m, cell: 25 m, heights: [30 m, 60 m, 120 m]}\n");
             double sum = 0.0;
             double least = Double.MAX_VALUE;
-            JsonNode flights = again("coverage", place).get("warning");
+            JsonNode flights = place.json("coverage").get("warning");
             for (JsonNode flight : flights) {
                 double time = flight.get("warning_s").isNull()
                         ? 0.0
@@ -106,8 +76,8 @@ class PlaceMonacoTest {
                 least = Math.min(least, time);
             }
 
-            assertThat(flights.size()).isEqualTo(promised().get("flights").asInt());
-            assertThat(promised().get("value").asDouble())
+            assertThat(flights.size()).isEqualTo(place.promised().get("flights").asInt());
+            assertThat(place.promised().get("value").asDouble())
                     .isCloseTo(measure.equals("mean") ? sum / flights.size() : least, within(ROUNDING));
             assertThat(sum).isPositive();
         }
@@ -117,15 +87,15 @@ class PlaceMonacoTest {
     @Test
     void weakestRoute() throws IOException {
         for (String budget : List.of("45000", "85000")) {
-            Outcome place = place(
+            PlacedLayout place = place(
                     "objective: weakest-route\nair: {side: 1200 m, cell: 60 m, heights: [20 m, 60 m, 120 m]}\n",
                     "--budget=" + budget);
-            JsonNode routes = again("route", place, "--out=" + directory.resolve("routes-" + budget))
+            JsonNode routes = place.json("route", "--out=" + directory.resolve("routes-" + budget))
                     .get("routes");
             double least = Double.MAX_VALUE;
             for (int sector = 0; sector < routes.size(); sector++) {
                 JsonNode route = routes.get(sector);
-                JsonNode flown = promised().get("flown").get(sector);
+                JsonNode flown = place.promised().get("flown").get(sector);
                 least = Math.min(least, route.get("upper").asDouble());
                 assertThat(flown.get("sector")).isEqualTo(route.get("sector"));
                 assertThat(flown.get("layout").asDouble())
@@ -133,9 +103,9 @@ class PlaceMonacoTest {
             }
 
             assertThat(routes.size()).isEqualTo(8);
-            assertThat(promised().get("route").get("exposure").asDouble())
+            assertThat(place.promised().get("route").get("exposure").asDouble())
                     .isCloseTo(least, within(1e-3 * least + ROUNDING));
-            assertThat(promised().get("value").asDouble())
+            assertThat(place.promised().get("value").asDouble())
                     .isCloseTo(Math.min(least, WeakestRouteSearch.ENOUGH), within(1e-3 * least + ROUNDING));
         }
     }
@@ -148,15 +118,15 @@ class PlaceMonacoTest {
     void twoHundredCandidates() throws IOException {
         Path file = Files.copy(SCENES.resolve("monaco.place.yaml"), directory.resolve("monaco.place.yaml"));
         String cell = System.getProperty("dronewatch.cell", "40m");
-        String[] words = {
-            "place", file.toString(), "--cell=" + cell, "--gap=0.05", "--budgets=1", "--threads=2", "--out=" + directory
-        };
-        Outcome first = Program.run(words);
-        assertThat(first.code()).as(first.err()).isZero();
-        JsonNode found = promised();
+        String[] options = {"--cell=" + cell, "--gap=0.05", "--budgets=1", "--threads=2"};
+        // Elsewhere, tests keep nothing.
+        System.setProperty(
+                StorePlace.PROPERTY,
+                Files.createDirectory(directory.resolve("cache")).toString());
+        JsonNode found = PlacedLayout.of(file, directory, options).promised();
         long elapsed = System.nanoTime();
         long processor = processorTime();
-        Outcome place = Program.run(words);
+        PlacedLayout place = PlacedLayout.of(file, directory, options);
         System.out.printf(
                 Locale.ROOT,
                 "200 candidates, cells of %s, assessed before: gap %.4f after %.1f s, %.1f s of processor time%n",
@@ -165,23 +135,21 @@ class PlaceMonacoTest {
                 1e-9 * (System.nanoTime() - elapsed),
                 1e-9 * (processorTime() - processor));
         PlacePlan plan = PlacePlan.read(file, runner -> {}, note -> {});
-        double known = 0.0;
-        double covered = 0.0;
-        for (JsonNode height : again("coverage", place).get("heights")) {
-            known += height.get("known").asDouble();
-            covered +=
-                    height.get("covered_share").asDouble() * height.get("known").asDouble();
-        }
+        double covered = place.coveredShare();
 
         assertThat(plan.candidates()).hasSize(200);
         assertThat(plan.settings().candidates()).hasSize(8);
-        assertThat(promised()).isEqualTo(found);
+        assertThat(place.promised()).isEqualTo(found);
         assertThat(found.get("complete").asBoolean()).isTrue();
         assertThat(found.get("gap").asDouble()).isLessThanOrEqualTo(0.05);
         assertThat(found.get("value").asDouble()).isGreaterThan(0.9);
-        assertThat(place.out())
-                .contains(String.format(
-                        Locale.ROOT, "the layout covers %.1f %% of the known cells", 100.0 * covered / known));
+        assertThat(place.outcome().out())
+                .contains(String.format(Locale.ROOT, "the layout covers %.1f %% of the known cells", 100.0 * covered));
+    }
+
+    @AfterEach
+    void keepNothing() {
+        System.clearProperty(StorePlace.PROPERTY);
     }
 
     private static long processorTime() {
@@ -192,12 +160,12 @@ class PlaceMonacoTest {
     @Test
     void attacks() throws IOException {
         String packaged = Files.readString(SCENES.resolve("palace.place.yaml"));
-        Outcome place = place(
+        PlacedLayout place = place(
                 packaged.substring(packaged.indexOf("conditions:")),
                 "--campaign=" + directory.resolve("attacks.campaign.yaml"),
                 "--runs=200");
-        JsonNode again = again("compare", place);
-        JsonNode attacks = promised().get("campaign");
+        JsonNode again = place.json("compare");
+        JsonNode attacks = place.promised().get("campaign");
 
         assertThat(attacks.get("variants").get("layout"))
                 .isEqualTo(again.get("variants").get("layout"));
@@ -205,12 +173,13 @@ class PlaceMonacoTest {
                 .isEqualTo(again.get("variants").get("palace"));
         String page = Files.readString(Path.of("src", "site", "markdown", "placement.md"));
         Matcher shares = Pattern.compile("\\d+\\.\\d \\(\\d+\\.\\d to \\d+\\.\\d\\)$", Pattern.MULTILINE)
-                .matcher(place.out());
+                .matcher(place.outcome().out());
         assertThat(shares.results())
                 .hasSize(2)
                 .allMatch(share -> page.contains(share.group().replaceFirst(" ", " % ")));
         assertThat(page)
-                .contains(place.out()
+                .contains(place.outcome()
+                        .out()
                         .lines()
                         .filter(line -> line.startsWith("in time: layout - today"))
                         .map(line -> line.replaceFirst(".* today = ", "").replaceFirst("\\), .*", ")"))

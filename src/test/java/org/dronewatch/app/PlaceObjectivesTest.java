@@ -7,10 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.dronewatch.LongForm;
@@ -43,26 +40,10 @@ class PlaceObjectivesTest {
     @TempDir
     private Path directory;
 
-    private Outcome place(String more) throws IOException {
+    private PlacedLayout place(String more) throws IOException {
         FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
         Path file = Files.writeString(directory.resolve("ring.place.yaml"), CANDIDATES + more);
-        Outcome place = Program.run("place", file.toString(), "--out=" + directory.resolve("."));
-        assertThat(place.code()).as(place.err()).isZero();
-        return place;
-    }
-
-    /** Runs the command that is printed for the layout, with some options more. */
-    private Outcome again(String command, Outcome place, String... more) {
-        Matcher printed =
-                Pattern.compile("'" + command + " layout.yaml (.*)' gives").matcher(place.out());
-        assertThat(printed.find()).as(place.out()).isTrue();
-        List<String> words = new ArrayList<>(
-                List.of(command, directory.resolve("layout.yaml").toString()));
-        words.addAll(List.of(printed.group(1).split(" ")));
-        words.addAll(List.of(more));
-        Outcome again = Program.run(words.toArray(String[]::new));
-        assertThat(again.code()).as(again.err()).isZero();
-        return again;
+        return PlacedLayout.of(file, directory.resolve("."));
     }
 
     private JsonNode json(String name) {
@@ -92,9 +73,9 @@ class PlaceObjectivesTest {
     @Test
     void theRoutesPastTheLayoutAreThoseOfRoute() throws IOException {
         assumeTrue(LongForm.IS_ON, "flies eight routes from eight moments three times");
-        Outcome place = place("objective: weakest-route\nair: {side: 240 m, cell: 40 m, heights: [30 m]}\n");
+        PlacedLayout place = place("objective: weakest-route\nair: {side: 240 m, cell: 40 m, heights: [30 m]}\n");
         assertFrontAndPictures("routes.png", "routes-today.png");
-        again("route", place, "--out=" + directory.resolve("routes"));
+        place.again("route", "--out=" + directory.resolve("routes"));
 
         JsonNode flown = json("place.json").get("flown");
         JsonNode routes = json("routes/route.json").get("routes");
@@ -106,21 +87,21 @@ class PlaceObjectivesTest {
             assertThat(flown.get(sector).get("layout").asDouble())
                     .isCloseTo(routes.get(sector).get("p_detect").asDouble(), within(1e-9));
         }
-        assertThat(place.out())
+        assertThat(place.outcome().out())
                 .contains("Past the layout, on the weakest route, the drone comes from the ")
                 .contains("Past today's sensors, on the weakest route, the drone comes from the ");
     }
 
     @Test
     void theWarningsOfTheLayoutAreThoseOfCoverage() throws IOException {
-        Outcome place = place("objective: warning-time\nwarning: mean\n"
+        PlacedLayout place = place("objective: warning-time\nwarning: mean\n"
                 + "air: {side: 400 m, cell: 20 m, heights: [12 m, 40 m], covered: 0.1}\n");
         assertFrontAndPictures("warnings.png", "warnings-today.png");
-        Outcome coverage = again("coverage", place);
+        Outcome coverage = place.again("coverage");
         String warnings = "warning of drones that fly straight in";
 
-        String ofLayout = place.out().substring(place.out().lastIndexOf(warnings));
+        String ofLayout = place.outcome().out().substring(place.outcome().out().lastIndexOf(warnings));
         assertThat(coverage.out()).contains(ofLayout.lines().limit(4).collect(Collectors.joining("\n")));
-        assertThat(place.out()).contains("today:", "layout:");
+        assertThat(place.outcome().out()).contains("today:", "layout:");
     }
 }

@@ -6,17 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.FieldSite;
-import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /**
  * The layout has a camera on a positioner, which turns to what a radar reports or searches: other commands give, for
@@ -46,76 +40,47 @@ class PlaceTurningTest {
     @TempDir
     private Path directory;
 
-    private Outcome place(String rate, String more) throws IOException {
+    private PlacedLayout place(String rate, String more) throws IOException {
         FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
         Path file = Files.writeString(directory.resolve("turning.place.yaml"), CANDIDATES.replace("RATE", rate) + more);
-        Outcome place = Program.run("place", file.toString(), "--budgets=1", "--out=" + directory);
-        assertThat(place.code()).as(place.err()).isZero();
-        assertThat(promised().get("chosen"))
+        PlacedLayout place = PlacedLayout.of(file, directory, "--budgets=1");
+        assertThat(place.promised().get("chosen"))
                 .anyMatch(sensor -> sensor.get("sensor").asString().endsWith("turning"));
         return place;
-    }
-
-    private JsonNode promised() {
-        return JsonMapper.builder()
-                .build()
-                .readTree(directory.resolve("place.json").toFile());
-    }
-
-    /** Runs the command that is printed for the layout. */
-    private JsonNode again(String command, Outcome place, String... more) {
-        Matcher printed =
-                Pattern.compile("'(" + command + " layout.yaml .*?)' gives").matcher(place.out());
-        assertThat(printed.find()).as(place.out()).isTrue();
-        List<String> words = new ArrayList<>();
-        for (String word : printed.group(1).split(" ")) {
-            words.add(word.endsWith(".yaml") ? directory.resolve(word).toString() : word);
-        }
-        words.add("--json");
-        words.addAll(List.of(more));
-        Outcome again = Program.run(words.toArray(String[]::new));
-        assertThat(again.code()).as(again.err()).isZero();
-        return JsonMapper.builder().build().readTree(again.out());
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"cued", "search"})
     void coverage(String pointing) throws IOException {
-        Outcome place = place(
+        PlacedLayout place = place(
                 "2 Hz",
                 "air: {side: 400 m, cell: 40 m, heights: [40 m], heading: inbound, covered: 0.02, within: 60 s, pointing: "
                         + pointing + "}\n");
-        double known = 0.0;
-        double covered = 0.0;
-        for (JsonNode height : again("coverage", place).get("heights")) {
-            known += height.get("known").asDouble();
-            covered +=
-                    height.get("covered_share").asDouble() * height.get("known").asDouble();
-        }
+        double covered = place.coveredShare();
 
-        assertThat(covered / known).isBetween(0.1, 0.999);
-        assertThat(promised().get("value").asDouble()).isCloseTo(covered / known, within(ROUNDING));
+        assertThat(covered).isBetween(0.1, 0.999);
+        assertThat(place.promised().get("value").asDouble()).isCloseTo(covered, within(ROUNDING));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"cued", "search"})
     void weakestRoute(String pointing) throws IOException {
-        Outcome place = place(
+        PlacedLayout place = place(
                 "0.05 Hz",
                 "objective: weakest-route\nair: {side: 240 m, cell: 60 m, heights: [40 m], pointing: " + pointing
                         + "}\n");
         JsonNode routes =
-                again("route", place, "--out=" + directory.resolve("routes")).get("routes");
+                place.json("route", "--out=" + directory.resolve("routes")).get("routes");
         double least = Double.MAX_VALUE;
         for (int sector = 0; sector < routes.size(); sector++) {
             JsonNode route = routes.get(sector);
             least = Math.min(least, route.get("upper").asDouble());
-            assertThat(promised().get("flown").get(sector).get("layout").asDouble())
+            assertThat(place.promised().get("flown").get(sector).get("layout").asDouble())
                     .isCloseTo(route.get("p_detect").asDouble(), within(ROUNDING));
         }
 
         assertThat(routes.size()).isEqualTo(8);
         assertThat(least).isBetween(0.001, 13.0);
-        assertThat(promised().get("value").asDouble()).isCloseTo(least, within(1e-3 * least + ROUNDING));
+        assertThat(place.promised().get("value").asDouble()).isCloseTo(least, within(1e-3 * least + ROUNDING));
     }
 }
