@@ -11,7 +11,8 @@ import org.dronewatch.geometry.Position;
  * time, a Lagrange multiplier, which is raised until the route is short enough and then refined by bisection. For every
  * price, the least sum of exposure and priced time, less the price of the longest time allowed, is a lower bound on the
  * exposure along all routes that are short enough (the dual bound). Of several routes with the same sum, those between
- * the shortest and the least exposed are not found, so a gap may remain.
+ * the shortest and the least exposed are not found, so a gap may remain. Where the limit hardly allows a detour, the
+ * price would have to be very high, and {@link CorridorBound} is the better bound.
  */
 public final class EnduranceLimit {
     /** The exposure for which the whole time counts at the first price. */
@@ -67,15 +68,19 @@ public final class EnduranceLimit {
         lower = unlimited.lower();
         double low = FIRST / (FACTOR * seconds);
         double high = FIRST / seconds;
-        Optional<WeakestRoute> best = at(high, starts);
+        WeakestRoutes first = search.apply(high);
+        if (isBounded()) {
+            lower = Math.max(lower, first.within(starts, seconds));
+        }
+        Optional<WeakestRoute> best = at(first, high, starts);
         for (int raise = 0; best.isEmpty() && raise < MOST_RAISES; raise++) {
             low = high;
             high *= FACTOR;
-            best = at(high, starts);
+            best = at(search.apply(high), high, starts);
         }
         for (int i = 0; best.isPresent() && i < BISECTIONS; i++) {
             double middle = Math.sqrt(low * high);
-            Optional<WeakestRoute> other = at(middle, starts);
+            Optional<WeakestRoute> other = at(search.apply(middle), middle, starts);
             if (other.isEmpty()) {
                 low = middle;
             } else {
@@ -88,12 +93,18 @@ public final class EnduranceLimit {
     }
 
     /** The weakest route at a price, if it is short enough. */
-    private Optional<WeakestRoute> at(double price, BitSet starts) {
-        WeakestRoutes routes = search.apply(price);
-        // What is flown without power takes time as well, which a limit on powered flight does not bound.
-        if (modes.stream().noneMatch(RouteMode::isGlide)) {
+    private Optional<WeakestRoute> at(WeakestRoutes routes, double price, BitSet starts) {
+        if (isBounded()) {
             lower = Math.max(lower, routes.priced(starts) - price * seconds);
         }
         return routes.from(starts).filter(this::allows);
+    }
+
+    /**
+     * Whether the limit bounds the time of the whole flight: what is flown without power takes time as well, which a
+     * limit on powered flight does not bound.
+     */
+    private boolean isBounded() {
+        return modes.stream().noneMatch(RouteMode::isGlide);
     }
 }

@@ -261,6 +261,18 @@ public final class WeakestRoutes {
         return ExposureBound.of(priced, ends).from(starts);
     }
 
+    /**
+     * A certified lower bound of the exposure of all routes from some nodes that take no longer than a time; tight only
+     * if that time is hardly longer than that along the straight line.
+     *
+     * @param seconds the longest time, s
+     */
+    double within(BitSet starts, double seconds) {
+        double fastest =
+                problem.modes().stream().mapToDouble(RouteMode::speed).max().orElseThrow();
+        return new CorridorBound(problem, starts, ends, fastest * seconds).exposure();
+    }
+
     /** The least times to the goals: along the nodes or, if turns need no room, in a straight line. */
     public TimeToGo timeToGo() {
         RouteTree fastest = onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock())));

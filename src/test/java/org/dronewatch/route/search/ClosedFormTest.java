@@ -101,12 +101,11 @@ class ClosedFormTest {
     /**
      * K/d^2 on the unit circle over 90 degrees, with limited length L: the front is symmetric, (L, E) = (sqrt 2, pi /
      * sqrt 2), (pi/2, pi/2), (pi / sqrt 2, sqrt 2), since inversion at the circle exchanges the two. The first length
-     * is that of the straight line, and only an infinite price of time would enforce it: the error of the bound, a
-     * fraction of exposure and priced time, grows with the price, so this bracket is wider.
+     * is that of the straight line: only an infinite price of time would enforce it, and the corridor is the bound.
      */
     @ParameterizedTest
     @CsvSource({
-        "1.4142135623730951, 2.221441469079183, 0.25, 0.11",
+        "1.4142135623730951, 2.221441469079183, 0.02, 0.02",
         "1.5707963267948966, 1.5707963267948966, 0.08, 0.02",
         "2.221441469079183, 1.4142135623730951, 0.08, 0.02"
     })
