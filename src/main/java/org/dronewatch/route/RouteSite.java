@@ -3,7 +3,6 @@ package org.dronewatch.route;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.DoubleFunction;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.drone.FlightLimits;
 import org.dronewatch.fusion.AreaZone;
@@ -128,11 +127,22 @@ record RouteSite(
                 goals,
                 passage);
         double price = PRICE_OF_ENDURANCE / endurance;
-        DoubleFunction<WeakestRoutes> search = ofTime -> response > 0.0
-                ? WeakestRoutes.inTime(problem, reached, response, ofTime, arrival)
-                : WeakestRoutes.of(problem, reached, ofTime, arrival);
-        EnduranceLimit limit = new EnduranceLimit(modes, endurance, search);
-        return new SiteRoutes(sensors, exposure, problem, search.apply(price), limit, middle, this::height);
+        EnduranceLimit limit = new EnduranceLimit(modes, endurance, ofTime -> search(problem, ofTime));
+        return new SiteRoutes(
+                sensors,
+                exposure,
+                problem,
+                search(problem, price),
+                more -> search(problem.withField(exposure.plus(more)), price),
+                limit,
+                middle,
+                this::height);
+    }
+
+    private WeakestRoutes search(RouteProblem problem, double price) {
+        return response > 0.0
+                ? WeakestRoutes.inTime(problem, reached, response, price, arrival)
+                : WeakestRoutes.of(problem, reached, price, arrival);
     }
 
     /** The height of a point above the ground, m; where there is none, above that of the grid. */

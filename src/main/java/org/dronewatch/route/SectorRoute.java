@@ -77,6 +77,16 @@ public record SectorRoute(
     }
 
     /**
+     * Whether the drone is detected, early enough for a response, with a probability that is more than 20 percentage
+     * points higher than the search expected.
+     *
+     * @param response time that the response takes, s; 0 if none is required
+     */
+    public boolean isUnderestimated(double response) {
+        return inTime(response) - route.detection() > MISJUDGED;
+    }
+
+    /**
      * Whether the search misjudges the route because it counts on looks at any moment: it would even if it knew exactly
      * what a look at each point of the route detects, because a slow sensor may look before the drone comes into sight
      * or after it has gone. Fewer flights than expected are then detected, never more.

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectionField;
@@ -16,8 +17,10 @@ import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.search.EnduranceLimit;
 import org.dronewatch.route.search.RouteExposure;
+import org.dronewatch.route.search.RouteGrid;
 import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.route.search.RouteProblem;
 import org.dronewatch.route.search.TimeToGo;
@@ -43,6 +46,7 @@ public final class SiteRoutes {
     private final SiteExposure exposure;
     private final RouteProblem problem;
     private final WeakestRoutes routes;
+    private final Function<ExposureField, WeakestRoutes> past;
     private final EnduranceLimit endurance;
     private final Position middle;
     private final ToDoubleFunction<Position> height;
@@ -51,6 +55,7 @@ public final class SiteRoutes {
      * Routes that were searched for.
      *
      * @param sensors their names, in the order of the scene
+     * @param past the same search past the sensors and another field of exposure
      * @param height the height of a point above the ground, m
      */
     SiteRoutes(
@@ -58,6 +63,7 @@ public final class SiteRoutes {
             SiteExposure exposure,
             RouteProblem problem,
             WeakestRoutes routes,
+            Function<ExposureField, WeakestRoutes> past,
             EnduranceLimit endurance,
             Position middle,
             ToDoubleFunction<Position> height) {
@@ -65,6 +71,7 @@ public final class SiteRoutes {
         this.exposure = exposure;
         this.problem = problem;
         this.routes = routes;
+        this.past = past;
         this.endurance = endurance;
         this.middle = middle;
         this.height = height;
@@ -145,6 +152,28 @@ public final class SiteRoutes {
             }
         }
         return joined;
+    }
+
+    /**
+     * Searches once more, as if the drone were also exposed to something else, such as to what flights have shown.
+     *
+     * @param routes the weakest routes so far, by sector
+     * @param more what else it is exposed to; it does not count in the exposure of the result
+     * @return by sector, the weakest routes of this search; sectors without a route that is short enough are left out
+     */
+    public Map<Integer, WeakestRoute> past(Map<Integer, WeakestRoute> routes, ExposureField more) {
+        WeakestRoutes again = past.apply(more);
+        Map<Integer, WeakestRoute> others = new LinkedHashMap<>();
+        routes.forEach((sector, before) -> again.from(starts(sector))
+                .map(route -> this.routes.described(route.path(), before.lower()))
+                .filter(endurance::allows)
+                .ifPresent(route -> others.put(sector, route)));
+        return others;
+    }
+
+    /** The nodes between which routes lead. */
+    public RouteGrid grid() {
+        return problem.grid();
     }
 
     private BitSet starts(int sector) {

@@ -35,7 +35,7 @@ public final class RouteFinder {
     private final TaskProgress shown;
 
     /** The result of a search before the routes are flown. */
-    private record Found(RouteSurvey survey, UnseenPlaces between, TimeToGo times) {}
+    private record Found(SiteRoutes routes, RouteSurvey survey, UnseenPlaces between, TimeToGo times) {}
 
     /**
      * A search.
@@ -70,10 +70,10 @@ public final class RouteFinder {
                     inputs.settings().alert().response(),
                     sector -> progress.accept(1),
                     interruption::letFinish);
-            return new Found(survey, between, times);
+            return new Found(routes, survey, between, times);
         });
-        return new RouteFlights(runner, inputs, interruption, shown)
-                .of(found.survey(), found.between(), found.times(), flights);
+        return new RouteFlights(runner, inputs, interruption, shown, flights)
+                .of(found.routes(), found.survey(), found.between(), found.times());
     }
 
     private List<ModeField> fields(List<FlightMode> modes) {

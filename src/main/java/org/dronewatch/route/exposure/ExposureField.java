@@ -55,6 +55,11 @@ public interface ExposureField {
         return new SummedExposure(List.of(this), perSecond);
     }
 
+    /** The sum of this field and another one. */
+    default ExposureField plus(ExposureField other) {
+        return new SummedExposure(List.of(this, other), 0.0);
+    }
+
     /**
      * The field of independent sensors: their rates add. They are added in the order of their names, so that the order
      * in which they are given does not change a single bit of the sum.

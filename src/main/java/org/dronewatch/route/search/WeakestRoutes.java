@@ -246,7 +246,12 @@ public final class WeakestRoutes {
         return finish.of(head.then(rest));
     }
 
-    private WeakestRoute described(RoutePath whole, double lower) {
+    /**
+     * A route to the same goals that another search has found, with its exposure in this one.
+     *
+     * @param lower a lower bound on the exposure along all routes from the same starts
+     */
+    public WeakestRoute described(RoutePath whole, double lower) {
         RouteExposure exposure = new RouteExposure(problem);
         return new WeakestRoute(whole, exposure.along(finish.counted(whole)), lower, exposure.time(whole));
     }
