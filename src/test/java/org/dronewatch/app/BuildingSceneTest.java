@@ -101,7 +101,27 @@ class BuildingSceneTest {
                 .noneMatch(line -> line.startsWith("warning"));
     }
 
-    /** What is hidden by a wood is hidden by vegetation. */
+    /** The drone hovers behind the nearer house, and the report says so by the name that the house has on the map. */
+    @Test
+    void theReportNamesTheBuildingThatHidesADrone() throws IOException {
+        Files.writeString(
+                directory.resolve("map.osm"),
+                "<osm>" + OsmHouse.text(10, 50.0004, "<tag k='height' v='12'/><tag k='name' v='Town hall'/>")
+                        + OsmHouse.text(20, 50.0008, "") + "</osm>");
+        Path file = scene(SITE
+                + "drones: {one: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [0, 70, 5]}}}\n"
+                + "sensors: {radar: {kind: radar, position: [0, 0, 5], minSpeed: 0, budget: {range: 500, crossSection: 0.01}}}\n"
+                + "run: {duration: 2 s}\n");
+
+        Outcome outcome = Program.run(
+                "run", file.toString(), "--out", directory.resolve("out").toString());
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(directory.resolve("out").resolve("report.html"))
+                .content()
+                .contains("hidden by map.osm ('Town hall'; brick_rendered)");
+    }
+
     /** In each picture of the site, in the lower right corner; GeoJSON states no licence. */
     @Test
     void picturesShowTheCreditsOfTheirData() throws IOException {

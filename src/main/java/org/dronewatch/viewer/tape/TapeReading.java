@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.dronewatch.analysis.survey.LineOfSight;
 import org.dronewatch.analysis.survey.LineOfSight.Blocked;
 import org.dronewatch.mesh.io.ModelRole;
-import org.dronewatch.report.coverage.table.BlockerWords;
+import org.dronewatch.report.html.BlockerWords;
 import org.dronewatch.viewer.part.Texts;
 
 /**

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronewatch.analysis.survey.GapEvidence;
+import org.dronewatch.report.html.BlockerWords;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.SensorSettings;

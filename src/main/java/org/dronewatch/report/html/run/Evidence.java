@@ -1,18 +1,30 @@
 package org.dronewatch.report.html.run;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
 
 /**
- * What was found at all the instants at which one reason for a miss held: the materials that hid the drone, and the
+ * What was found at all the instants at which one reason for a miss held: the buildings and materials that hid the drone, and the
  * limits that it violated. The limit of radial speed of a radar with a notch depends on the strength of the echo, so
  * that a single reason may have many.
  */
 final class Evidence {
+    private static final int MOST_BUILDINGS = 3;
+
     private final Set<String> materials = new TreeSet<>();
+
+    /** By name, at how many instants each building of the map hid the drone. */
+    private final Map<String, Integer> buildings = new LinkedHashMap<>();
+
     private Cause cause = Cause.UNKNOWN;
     private double least = Double.POSITIVE_INFINITY;
     private double greatest = Double.NEGATIVE_INFINITY;
@@ -27,10 +39,15 @@ final class Evidence {
         });
     }
 
+    /** Adds a building of the map that hid the drone at one instant. */
+    void addBuilding(String name) {
+        buildings.merge(name, 1, Integer::sum);
+    }
+
     /** The evidence in parentheses, to follow the words of the reason; empty if there is none. */
     String inWords() {
         if (cause.isHidden()) {
-            return " (" + String.join(", ", materials) + ")";
+            return " (" + (buildings.isEmpty() ? "" : buildings() + "; ") + String.join(", ", materials) + ")";
         }
         if (greatest < least) {
             return "";
@@ -40,6 +57,14 @@ final class Evidence {
             case TOO_FAST -> " (radial speed above " + range("%.0f") + " m/s)";
             default -> "";
         };
+    }
+
+    /** The buildings that hid the drone for the longest time. */
+    private String buildings() {
+        List<Map.Entry<String, Integer>> sorted = new ArrayList<>(buildings.entrySet());
+        sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
+        return sorted.stream().limit(MOST_BUILDINGS).map(Map.Entry::getKey).collect(Collectors.joining(", "))
+                + (sorted.size() > MOST_BUILDINGS ? " and others" : "");
     }
 
     private String range(String pattern) {

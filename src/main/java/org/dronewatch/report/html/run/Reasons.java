@@ -8,9 +8,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.dronewatch.analysis.survey.LineOfSight;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
+import org.dronewatch.report.html.BlockerWords;
 import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.run.Pointings;
 import org.dronewatch.run.Sightline;
@@ -31,6 +33,7 @@ final class Reasons {
     private final SceneSettings settings;
     private final Stage stage;
     private final Pointings pointings;
+    private final LineOfSight sight;
     private final Map<String, Assessor> assessors = new HashMap<>();
     private final List<Map<String, Drone>> moments = new ArrayList<>();
     private final double step;
@@ -44,6 +47,7 @@ final class Reasons {
         this.settings = settings;
         this.stage = stage;
         this.pointings = pointings;
+        this.sight = new LineOfSight(stage);
         this.step = simulated / MOMENTS;
         for (int i = 0; i <= MOMENTS; i++) {
             Map<String, Drone> drones = new HashMap<>();
@@ -116,14 +120,26 @@ final class Reasons {
                 gliding += flying.isPowered() ? 0 : 1;
                 Explanation explanation = assessor.explainMiss(flying, pointing);
                 String reason = CauseWords.of(explanation, flying, weak);
-                evidence.computeIfAbsent(reason, one -> new Evidence()).add(explanation);
+                Evidence shown = evidence.computeIfAbsent(reason, one -> new Evidence());
+                shown.add(explanation);
+                if (explanation.cause().isHidden()) {
+                    building(missing.position(), position).ifPresent(shown::addBuilding);
+                }
                 counts.merge(reason, 1, Integer::sum);
             }
         }
         return new Fractions(explained(counts, evidence), counts.getOrDefault(weak, 0), nearest, gliding);
     }
 
-    /** Adds to each reason the materials that hid the drone, or the limits that it violated. */
+    /** The name of the building of the map that blocks a line of sight first; empty if none does. */
+    private Optional<String> building(Position from, Position to) {
+        return sight.between(from, to)
+                .map(LineOfSight.Blocked::blocker)
+                .filter(blocker -> blocker.building().isPresent())
+                .map(BlockerWords::name);
+    }
+
+    /** Adds to each reason the buildings and materials that hid the drone, or the limits that it violated. */
     private static Map<String, Integer> explained(Map<String, Integer> counts, Map<String, Evidence> evidence) {
         Map<String, Integer> explained = new LinkedHashMap<>();
         counts.forEach(

@@ -1,4 +1,4 @@
-package org.dronewatch.report.coverage.table;
+package org.dronewatch.report.html;
 
 import org.dronewatch.analysis.survey.Blocker;
 
