@@ -94,6 +94,10 @@ final class CameraBounds {
         State there = new State(picture, state, pointing);
         int greatest = steps.applyAsInt(there.signal(pixels.mostAround()).probability());
         IntPredicate enough = new Enough(number -> there.isDetectedIn(number, greatest, steps));
+        if (enough.test(pixels.mostAround())) {
+            // The first rows may suffice, a sample hardly ever does.
+            pixels.examineAll();
+        }
         pixels.count(state.heading(), enough);
         Optional<AssessmentBounds> bounds = there.bounds(pixels, steps);
         if (bounds.isEmpty() && pixels.examineAll()) {

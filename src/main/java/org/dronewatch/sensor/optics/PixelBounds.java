@@ -17,6 +17,12 @@ public final class PixelBounds {
     /** Rays that are traced before bounds that did not suffice are checked again. */
     private static final int TRACED_AT_ONCE = 6;
 
+    /** A sufficient number of pixels exceeds the least sufficient one by at most this part of it. */
+    private static final int PRECISION = 16;
+
+    /** Pixels that are counted before their number is compared with the sufficient one. */
+    private static final int COUNTED_AT_ONCE = 128;
+
     private final PixelSample pixels;
 
     /** The mask of the last count; null for none. */
@@ -35,6 +41,9 @@ public final class PixelBounds {
 
     /** How many pixels are expected to show it. */
     private int expected;
+
+    /** How many are sufficient; greatest integer if that is not known, or if no number that is possible suffices. */
+    private int sufficient;
 
     PixelBounds(CameraObject camera) {
         this.pixels = new PixelSample(camera);
@@ -70,9 +79,10 @@ public final class PixelBounds {
     }
 
     /**
-     * Examines all pixels around the drone if only a sample of them has been examined; the caller then counts again.
+     * Examines all pixels around the drone if only a sample of them has been examined, or all of the middle rows if
+     * there are too many; the caller then counts again.
      *
-     * @return false if all have been examined, or if there are too many
+     * @return false if that has been done before
      */
     public boolean examineAll() {
         return pixels.examineAll();
@@ -91,36 +101,71 @@ public final class PixelBounds {
         expected = 0;
         isCutShort = false;
         countsHidden = false;
+        sufficient = Integer.MAX_VALUE;
         mask = pixels.mask(heading);
         if (mask == null) {
             countAround();
             return;
         }
+        sufficient = findSufficient(enough);
+        if (countCertain(sufficient)) {
+            isCutShort = true;
+            countAround();
+        } else if (pixels.isComplete()) {
+            countPossible();
+        } else {
+            countAround();
+        }
+    }
+
+    /**
+     * A sufficient number of pixels, hardly greater than the least: certain pixels are counted only that far. Greatest
+     * integer if no number that is possible suffices.
+     */
+    private int findSufficient(IntPredicate enough) {
+        int found = mostAround();
+        if (found == 0 || !enough.test(found)) {
+            return Integer.MAX_VALUE;
+        }
+        int tooFew = 0;
+        while (found - tooFew > 1 + tooFew / PRECISION) {
+            // The geometric mean: a few pixels may suffice, or many thousands.
+            int between = Math.max(tooFew + 1, (int) Math.sqrt((tooFew + 1.0) * found));
+            if (enough.test(between)) {
+                found = between;
+            } else {
+                tooFew = between;
+            }
+        }
+        return found;
+    }
+
+    /** Counts the pixels that certainly show the drone, until there are a number of them; whether there are. */
+    private boolean countCertain(int sufficient) {
+        int first = 0;
+        while (least < sufficient && pixels.has(first)) {
+            int last = Math.min(pixels.examined(), first + COUNTED_AT_ONCE);
+            least += pixels.countCertain(mask, first, last);
+            first = last;
+        }
+        leastInTheOpen = least;
+        return least >= sufficient;
+    }
+
+    /** Counts the pixels that may show the drone, and those that would if nothing hid it. */
+    private void countPossible() {
         most = 0;
+        leastInTheOpen = 0;
         mostInTheOpen = 0;
-        int asked = 1;
         for (int i = 0; pixels.has(i); i++) {
             byte kind = pixels.kind(mask, i);
             if (kind != SilhouetteMask.OUTSIDE) {
-                boolean isInside = kind == SilhouetteMask.INSIDE;
-                byte sight = isInside || pixels.isComplete() ? pixels.sight(i) : PixelSample.UNCERTAIN;
+                boolean isHidden = pixels.sight(i) == PixelSample.HIDDEN;
+                leastInTheOpen += kind == SilhouetteMask.INSIDE ? 1 : 0;
                 mostInTheOpen++;
-                leastInTheOpen += isInside ? 1 : 0;
-                most += sight == PixelSample.HIDDEN ? 0 : 1;
-                least += isInside && sight == PixelSample.FREE ? 1 : 0;
-                expected += kind != SilhouetteMask.UNLIKELY && sight != PixelSample.HIDDEN ? 1 : 0;
-                if (least >= asked) {
-                    if (enough.test(least)) {
-                        isCutShort = true;
-                        countAround();
-                        return;
-                    }
-                    asked = 2 * least;
-                }
+                most += isHidden ? 0 : 1;
+                expected += kind == SilhouetteMask.UNLIKELY || isHidden ? 0 : 1;
             }
-        }
-        if (!pixels.isComplete()) {
-            countAround();
         }
     }
 
@@ -133,10 +178,15 @@ public final class PixelBounds {
      * @return false where a picture of the drone is drawn faster
      */
     boolean refine(DynamicView drawing, Drone drone, IntPredicate enough, BooleanSupplier isSufficient) {
-        if (isCutShort || !pixels.isComplete() || !drawing.beginSingly(drone, countInDoubt())) {
+        if (isCutShort || !pixels.isComplete()) {
             return false;
         }
         boolean isExpected = mask == null || enough.test(expected);
+        // If the drone is expected to show enough pixels, not all need to be traced.
+        int traced = isExpected && mask != null ? sufficient - least : Integer.MAX_VALUE;
+        if (!drawing.beginSingly(drone, Math.min(traced, countInDoubt()))) {
+            return false;
+        }
         BooleanSupplier isDecided = () -> enough.test(least) || !enough.test(most);
         if (!trace(drawing, isExpected, isDecided, isSufficient)) {
             trace(drawing, !isExpected, isDecided, isSufficient);

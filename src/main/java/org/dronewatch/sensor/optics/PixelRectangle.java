@@ -48,4 +48,16 @@ final class PixelRectangle {
     boolean isEmpty() {
         return right < left || bottom < top;
     }
+
+    /** Whether something is nearer than a distance, m, along the rays of all its pixels. */
+    boolean isHidden(Background site, double distance) {
+        for (int row = top; row <= bottom; row++) {
+            for (int column = left; column <= right; column++) {
+                if (!(site.distance(column, row) < distance)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
 }

@@ -1,5 +1,6 @@
 package org.dronewatch.sensor.optics;
 
+import java.util.Arrays;
 import org.dronewatch.drone.SilhouetteMask;
 import org.dronewatch.drone.SilhouetteTable;
 import org.dronewatch.geometry.Position;
@@ -13,13 +14,18 @@ final class PixelSample {
     static final byte HIDDEN = 1;
     static final byte UNCERTAIN = 2;
     static final byte FREE = 3;
-    private static final byte UNKNOWN = 0;
+
+    /** Both {@link SilhouetteMask#INSIDE} and {@link #FREE} have all bits below this one set, and are the greatest. */
+    private static final int INSIDE_BIT = 2;
 
     /** Of more pixels around a drone than this, only some are examined: those of every n-th row and column. */
     private static final int MOST_PIXELS = 1 << 12;
 
     /** The same where the sample has not been sufficient. */
     private static final int MOST_PIXELS_ON_REQUEST = 1 << 20;
+
+    /** Of still more, those in the middle rows are examined: there they show the body of a drone very close. */
+    private static final int MIDDLE_PIXELS = 1 << 17;
 
     /** Rounding of distances, which are of single precision, and of projections. */
     private static final double ROUNDING = 1e-6;
@@ -89,7 +95,7 @@ final class PixelSample {
         if (!begin(radius, MOST_PIXELS)) {
             return false;
         }
-        while (hasMoreRows()) {
+        while (stride == 1 && hasMoreRows()) {
             findRows();
         }
         return true;
@@ -114,15 +120,13 @@ final class PixelSample {
         long pixels = (long) (right - left + 1) * (lower - upper + 1);
         stride = (int) Math.ceil(Math.sqrt((double) pixels / mostPixels));
         sampled = (int) Math.min(Integer.MAX_VALUE, pixels);
-        if (stride > 1 && range < silhouettes.minRange()) {
-            return false;
-        }
-        reserve(((right - left) / stride + 1) * ((lower - upper) / stride + 1));
-        return true;
+        return stride == 1 || range >= silhouettes.minRange();
     }
 
     private boolean hasMoreRows() {
-        return !rectangle.isEmpty() && away <= rectangle.bottom() - middle;
+        return !rectangle.isEmpty()
+                && away <= rectangle.bottom() - middle
+                && (sampled <= MOST_PIXELS_ON_REQUEST || around < MIDDLE_PIXELS);
     }
 
     /** Examines the next rows, above and below the middle one. */
@@ -147,16 +151,17 @@ final class PixelSample {
     }
 
     /**
-     * From now on, all pixels around the drone are examined, if only a sample has been.
+     * From now on, all pixels around the drone are examined, if only a sample has been; if there are too many, all of
+     * the middle rows.
      *
-     * @return false if all of them already are, or are too many
+     * @return false if that has been done before
      */
     boolean examineAll() {
-        if (stride == 1 || sampled > MOST_PIXELS_ON_REQUEST) {
+        if (stride == 1) {
             return false;
         }
         around = 0;
-        return begin(silhouettes.radius() * (1.0 + ROUNDING), MOST_PIXELS_ON_REQUEST);
+        return begin(silhouettes.radius() * (1.0 + ROUNDING), Integer.MAX_VALUE);
     }
 
     private static int first(double edge) {
@@ -167,18 +172,20 @@ final class PixelSample {
         return (int) Math.max(-1.0, Math.min(pixels - 1.0, Math.floor(edge - 0.5 + ROUNDING)));
     }
 
+    /** Makes room for pixels; not for all that there are, since the first rows are often sufficient. */
     private void reserve(int pixels) {
         if (texels.length < pixels) {
-            columns = new int[2 * pixels];
-            rows = new int[2 * pixels];
-            texels = new int[2 * pixels];
-            sights = new byte[2 * pixels];
+            columns = Arrays.copyOf(columns, 2 * pixels);
+            rows = Arrays.copyOf(rows, 2 * pixels);
+            texels = Arrays.copyOf(texels, 2 * pixels);
+            sights = Arrays.copyOf(sights, 2 * pixels);
         }
     }
 
     private void findRow(int row) {
         double radius = silhouettes.radius() * (1.0 + ROUNDING);
         int left = rectangle.left();
+        reserve(around + (rectangle.right() - left) / stride + 1);
         double half = silhouettes.halfWidth();
         double scale = 0.5 * SilhouetteMask.TEXELS / half;
         // A ray that touches the sphere passes the plane through its centre a little farther out.
@@ -192,21 +199,36 @@ final class PixelSample {
                 columns[around] = column;
                 rows[around] = row;
                 texels[around] = texel(across, half, scale) + SilhouetteMask.TEXELS * texel(above, half, scale);
-                sights[around++] = UNKNOWN;
+                sights[around++] = sight(background.distance(column, row), radius);
             }
         }
     }
 
+    private byte sight(float distance, double radius) {
+        if (distance < (range - radius) * (1.0 - ROUNDING)) {
+            return HIDDEN;
+        }
+        return distance > (range + radius) * (1.0 + ROUNDING) ? FREE : UNCERTAIN;
+    }
+
     /** Whether the site hides all of the drone that a pixel may show, or nothing, or neither is certain. */
     byte sight(int pixel) {
-        if (sights[pixel] == UNKNOWN) {
-            float distance = background.distance(columns[pixel], rows[pixel]);
-            double radius = silhouettes.radius() * (1.0 + ROUNDING);
-            sights[pixel] = distance < (range - radius) * (1.0 - ROUNDING)
-                    ? HIDDEN
-                    : distance > (range + radius) * (1.0 + ROUNDING) ? FREE : UNCERTAIN;
-        }
         return sights[pixel];
+    }
+
+    /** How many pixels around the drone have been examined so far. */
+    int examined() {
+        return around;
+    }
+
+    /** Of some pixels, from the first to before the last, how many certainly show the drone. */
+    int countCertain(SilhouetteMask mask, int first, int last) {
+        int count = 0;
+        for (int i = first; i < last; i++) {
+            // Without branches, since it takes most of the time of a field. Both have all bits set, or one is missing.
+            count += (mask.kind(texels[i]) & sights[i]) + 1 >> INSIDE_BIT;
+        }
+        return count;
     }
 
     private static int texel(double coordinate, double half, double scale) {
@@ -220,25 +242,13 @@ final class PixelSample {
                 return false;
             }
         }
-        return stride == 1 || isRectangleHidden();
-    }
-
-    /** The same from all pixels of the rectangle around the drone, where only a sample has been examined. */
-    private boolean isRectangleHidden() {
-        double nearest = (range - silhouettes.radius() * (1.0 + ROUNDING)) * (1.0 - ROUNDING);
-        for (int row = rectangle.top(); row <= rectangle.bottom(); row++) {
-            for (int column = rectangle.left(); column <= rectangle.right(); column++) {
-                if (!(background.distance(column, row) < nearest)) {
-                    return false;
-                }
-            }
-        }
-        return true;
+        return isComplete()
+                || rectangle.isHidden(background, (range - silhouettes.radius() * (1.0 + ROUNDING)) * (1.0 - ROUNDING));
     }
 
     /** An upper bound on the number of pixels that show the drone, however it turns. */
     int mostAround() {
-        return stride > 1 || hasMoreRows() ? sampled : around;
+        return isComplete() && !hasMoreRows() ? around : sampled;
     }
 
     /** The number of pixels in the rectangle around the drone: no others can show it. */
@@ -246,9 +256,9 @@ final class PixelSample {
         return sampled;
     }
 
-    /** Whether all pixels around the drone are examined, not only a sample. */
+    /** Whether all pixels around the drone are examined, not only a sample, or some rows. */
     boolean isComplete() {
-        return stride == 1;
+        return stride == 1 && sampled <= MOST_PIXELS_ON_REQUEST;
     }
 
     int column(int pixel) {

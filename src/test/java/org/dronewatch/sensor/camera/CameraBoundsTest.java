@@ -55,6 +55,10 @@ class CameraBoundsTest {
                 Arguments.of("long lens", LONG_LENS, CROSS),
                 Arguments.of("long lens, many pixels", LONG_LENS.withDetection(new PixelThreshold(9000.0)), CROSS),
                 Arguments.of("long lens, recognition", LONG_LENS.withDetection(recognition), CROSS),
+                Arguments.of(
+                        "longer lens, more pixels than are examined",
+                        LONG_LENS.withResolution(2400, 1350).withDetection(new PixelThreshold(20_000.0)),
+                        CROSS),
                 Arguments.of("rolled", CAMERA.withRoll(0.7), CROSS),
                 Arguments.of("task", CAMERA.withDetection(TargetTask.DEFAULT), CROSS),
                 Arguments.of("recognition by chance", CAMERA.withDetection(byChance), CUBE),
