@@ -340,7 +340,7 @@ class SavedSceneTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> runner.text(settings, elsewhere.resolve("s.yaml")))
                 .withMessageContaining("world.models.0.file: file '")
-                .withMessageContaining("write the scene next to its models");
+                .withMessageContaining("write the scene into " + site + " or a directory above it");
     }
 
     @Test

@@ -93,8 +93,8 @@ final class RelocatedFiles {
         if (!file.startsWith(to)) {
             throw new InputException(
                     path + ": file '" + PlainText.value(file) + "' is neither in " + PlainText.value(to)
-                            + " nor below it, so a scene file there cannot name it: write the scene next to its models, or"
-                            + " into a directory above them");
+                            + " nor below it, so a scene file there cannot name it: write the scene into "
+                            + PlainText.value(file.getParent()) + " or a directory above it");
         }
         boolean isSameName = from.equals(to) && !Path.of(name).isAbsolute();
         return isSameName ? name : to.relativize(file).toString().replace(File.separatorChar, '/');
