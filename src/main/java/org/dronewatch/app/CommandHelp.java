@@ -30,7 +30,7 @@ final class CommandHelp {
                 {"mixinStandardHelpOptions.help", "Prints this help."},
                 {
                     "mixinStandardHelpOptions.version",
-                    "Prints the version, which Java runs the program, and whether vector instructions are used."
+                    "Prints the program's version, the Java that runs it, and whether vector instructions are used."
                 }
             };
         }

@@ -95,7 +95,9 @@ class GuideTest {
     void thePatrolIsFlownRecordedAndReplayed() throws IOException {
         String guide = Files.readString(PAGES.resolve("guide.md"));
         Path scene = directory.resolve("patrol.yaml");
-        Files.writeString(scene, firstExample(guide.substring(guide.indexOf("### Fly and record a scene file"))));
+        Files.writeString(
+                scene,
+                firstExample(guide.substring(guide.indexOf("### Fly the drones of a scene file, and record them"))));
         Path flown = directory.resolve("patrol");
         Path replayed = directory.resolve("replayed");
         Patrol.record(scene, flown);

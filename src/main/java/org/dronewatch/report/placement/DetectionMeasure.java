@@ -20,7 +20,7 @@ record DetectionMeasure() implements PlaceMeasure {
     @Override
     public String claim(boolean isOne, double value) {
         return (isOne ? "detects" : "detect") + " the drone with a probability of " + text(value)
-                + " on the weakest route";
+                + " on the weakest route past " + (isOne ? "it" : "them");
     }
 
     @Override

@@ -114,7 +114,8 @@ final class RouteNotes {
                 : Optional.of("At " + number(between.unseen()) + " of " + number(between.tried())
                         + " places tried between the middles of cells, no sensor detects the drone, although all cells"
                         + " around the place are covered. Passages narrower than a cell, which the search cannot find,"
-                        + " may lead through them, even below the lower bound; to look for passages, try " + finer()
+                        + " may lead through such places, and a route along one may be less exposed than the lower bound; to look for passages, try "
+                        + finer()
                         + ".");
     }
 

@@ -80,7 +80,7 @@ final class RouteReport {
                         + (survey.response() > 0.0
                                 ? " while " + number(survey.response()) + " s are left for the response."
                                 : " before it reaches " + inputs.targetInWords() + ".")
-                        + " 'Detected' is the probability that any sensor detects it at all, from every look along the route"
+                        + " 'Detected' is the probability that any sensor detects it at all, computed from every look along the route"
                         + " as it is flown; 'search' is the estimate of the search, which knows only the middle of each"
                         + " cell; 'time left' is the time between the typical (median) first detection and the drone's"
                         + " arrival"

@@ -14,7 +14,7 @@ import org.dronewatch.route.search.RouteGrid;
 import org.dronewatch.route.search.RouteMode;
 
 /**
- * What looks along routes as flown add to the exposure that the search expected there. A search knows the middles of
+ * The exposure to looks along flown routes, beyond what the search expected there. A search knows the middles of
  * cells, and prefers routes on which these happen to promise too little; with this field added to theirs, it finds
  * other routes. In each cube between nodes, the exposure that was not expected is spread over the time for the distance
  * between two nodes: its rate counts at all eight corners, on all headings, and is interpolated between them. Where
