@@ -8,7 +8,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
 /**
- * A scene with the settings that a condition, such as rain or night, changes.
+ * A scene with some settings changed by a condition, such as rain or night.
  *
  * @param name of the condition
  * @param settings settings of the scene with the changes of the condition

@@ -141,7 +141,7 @@ class CoverageCommandTest {
                 .contains("clear line of sight at or below a height")
                 .contains("any of them")
                 .contains("largest gap:")
-                .contains("no longer covered without a sensor");
+                .contains("coverage lost if one sensor is removed");
     }
 
     @Test

@@ -53,7 +53,7 @@ public final class MarginCode {
     }
 
     /**
-     * The number for a margin between two, dB: the value if they have the same, otherwise the bound that says more.
+     * The number for a margin between two, dB: their value if both have the same, otherwise the tighter bound.
      *
      * @param isDetected whether the drone is detected: then the lower bound says more
      */

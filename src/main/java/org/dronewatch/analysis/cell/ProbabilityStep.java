@@ -47,7 +47,7 @@ public final class ProbabilityStep {
         return 1.0 / EVEN / Math.pow(FACTOR, SMALL + 1.0 - step);
     }
 
-    /** The least probability that is rounded to a step; 0 for the first above 0, which has none. */
+    /** The least probability that is rounded to a step; 0 for the first step above 0, which has no lower limit. */
     public static double least(int step) {
         if (step <= 1 || step == CERTAIN) {
             return step == CERTAIN ? 1.0 : 0.0;

@@ -78,7 +78,7 @@ final class RouteReport {
                 "The table lists, for each direction, the route on which the sensors are least likely to detect the"
                         + " drone"
                         + (survey.response() > 0.0
-                                ? " while " + number(survey.response()) + " s are left for the response."
+                                ? " while at least " + number(survey.response()) + " s are left for the response."
                                 : " before it reaches " + inputs.targetInWords() + ".")
                         + " 'Detected' is the probability that any sensor detects it at all, computed from every look along the route"
                         + " as it is flown; 'search' is the estimate of the search, which knows only the middle of each"

@@ -45,8 +45,8 @@ public record RouteProof(
     }
 
     /**
-     * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the result does not depend on their
-     * number. Run {@code i} has the seed {@link #seed}. One in twenty is repeated by a
+     * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the result does not depend on how
+     * many workers there are. Run {@code i} has the seed {@link #seed}. One in twenty is repeated by a
      * {@link org.dronewatch.run.RunSession}, which must give the same first detection and, where alerts are predicted,
      * the same alert.
      *

@@ -8,8 +8,8 @@ package org.dronewatch.sensor.alarm;
  *     ones, may be reported in each look
  * @param cells number of cells of its field of view that the sensor, or its tracker, distinguishes, 1 or more: only
  *     false alarms in the same cell confirm each other
- * @param looks number of consecutive looks for which one lasts, 1 or more: one for noise, more for a bird or an
- *     aircraft
+ * @param looks number of consecutive looks for which a false alarm lasts, 1 or more: 1 for noise, more for a bird
+ *     or an aircraft
  * @param rate looks per second, above 0, Hz
  */
 public record FalseAlarmRate(double perLook, long cells, int looks, double rate) {

@@ -341,7 +341,7 @@ class CoverageSkinTest {
                 "boxes", FieldSite.DRONE, "worst", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), Optional.empty());
         assertThat(FieldTable.losses(one, inputs).stream().map(line -> line.replaceAll(" +", " ")))
                 .containsExactly(
-                        "no longer covered without a sensor (lost minus gained), in % of the known cells:",
+                        "coverage lost if one sensor is removed (lost minus gained), in % of the known cells:",
                         "sensor 12 m",
                         "round -2.0",
                         "short 0.0",

@@ -63,7 +63,7 @@ public final class FieldTable {
      */
     public static List<String> losses(FieldSummary summary, CoverageInputs inputs) {
         List<String> lines = new ArrayList<>();
-        lines.add("no longer covered without a sensor (lost minus gained), in % of the known cells:");
+        lines.add("coverage lost if one sensor is removed (lost minus gained), in % of the known cells:");
         StringBuilder header = new StringBuilder(text("%-24s", "sensor"));
         summary.heights().forEach(height -> header.append(text(HEIGHT, metres(height.height()))));
         lines.add(header.toString());

@@ -37,7 +37,7 @@ public final class SpecularPath {
     private final double[] first = new double[3];
     private final double[] last = new double[3];
 
-    /** A path in a world, none yet. */
+    /** A search for paths in a world; none has been found yet. */
     public SpecularPath(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.planes = planes;
         this.free = new FreeLegs(world, planes, surfaces);
