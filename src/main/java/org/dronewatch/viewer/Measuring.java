@@ -120,7 +120,9 @@ final class Measuring implements WorldTool, AutoCloseable {
 
     @Override
     public void click(int x, int y) {
-        endAt(x, y).ifPresentOrElse(this::put, () -> status.accept("There is nothing to measure in the sky"));
+        endAt(x, y)
+                .ifPresentOrElse(
+                        this::put, () -> status.accept("No surface there: click on the site, a sensor or a drone"));
     }
 
     /** The sensor or drone at a pixel, otherwise the point of a surface. */

@@ -146,7 +146,9 @@ final class SettingTables {
 
     private String falseAlarms() {
         FalseAlertRate rate = result.runs().get(0).falseAlertRate();
-        String rest = rate.unknown().isEmpty() ? "" : " The other sensors raise none, since their rates are unknown.";
+        String rest = rate.unknown().isEmpty()
+                ? ""
+                : " For the other sensors, none are simulated, since their rates are unknown.";
         boolean hasBirds =
                 result.runs().stream().anyMatch(run -> !run.settings().birds().isEmpty());
         String ofBirds = hasBirds ? " Birds that sensors detect are false alarms, too." : "";
