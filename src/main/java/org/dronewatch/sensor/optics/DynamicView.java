@@ -110,25 +110,36 @@ final class DynamicView {
         if (coarse && isEnoughInTheMiddle(traversal, background, number, enough)) {
             return;
         }
-        for (int top = rectangle.top(); top <= rectangle.bottom(); top += TileTracer.HEIGHT) {
+        int tileRows = tiles(rectangle.top(), rectangle.bottom(), TileTracer.HEIGHT);
+        int tileColumns = tiles(rectangle.left(), rectangle.right(), TileTracer.WIDTH);
+        for (int i = 0; i < tileRows * tileColumns; i++) {
+            int top = rectangle.top() + TileTracer.HEIGHT * fromMiddle(i / tileColumns, tileRows);
+            int left = rectangle.left() + TileTracer.WIDTH * fromMiddle(i % tileColumns, tileColumns);
             int rows = Math.min(TileTracer.HEIGHT, rectangle.bottom() + 1 - top);
-            for (int left = rectangle.left(); left <= rectangle.right(); left += TileTracer.WIDTH) {
-                int columns = Math.min(TileTracer.WIDTH, rectangle.right() + 1 - left);
-                if (coarse) {
-                    traversal.trace(left, top, columns, rows);
-                } else {
-                    traversal.traceSingly(left, top, columns, rows);
+            int columns = Math.min(TileTracer.WIDTH, rectangle.right() + 1 - left);
+            if (coarse) {
+                traversal.trace(left, top, columns, rows);
+            } else {
+                traversal.traceSingly(left, top, columns, rows);
+            }
+            claimTile(traversal, left, top, columns, rows, background, number);
+            int pixels = silhouettes[number].pixels();
+            if (pixels >= asked) {
+                if (enough.test(pixels)) {
+                    return;
                 }
-                claimTile(traversal, left, top, columns, rows, background, number);
-                int pixels = silhouettes[number].pixels();
-                if (pixels >= asked) {
-                    if (enough.test(pixels)) {
-                        return;
-                    }
-                    asked = 2 * pixels;
-                }
+                asked = 2 * pixels;
             }
         }
+    }
+
+    private static int tiles(int first, int last, int size) {
+        return (last - first) / size + 1;
+    }
+
+    /** The number of a tile in the order from the middle outwards: the body of a drone is in the middle. */
+    private static int fromMiddle(int number, int tiles) {
+        return tiles / 2 + (number % 2 == 0 ? number : -number - 1) / 2;
     }
 
     /**

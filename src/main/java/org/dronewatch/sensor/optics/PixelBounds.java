@@ -34,6 +34,9 @@ public final class PixelBounds {
     /** Whether its upper bound includes pixels that the site hides. */
     private boolean countsHidden;
 
+    /** Whether hidden pixels need not be traced, since the drone would certainly be detected if nothing hid it. */
+    private boolean skipsHidden;
+
     private int least;
     private int most;
     private int leastInTheOpen;
@@ -41,9 +44,6 @@ public final class PixelBounds {
 
     /** How many pixels are expected to show it. */
     private int expected;
-
-    /** How many are sufficient; greatest integer if that is not known, or if no number that is possible suffices. */
-    private int sufficient;
 
     PixelBounds(CameraObject camera) {
         this.pixels = new PixelSample(camera);
@@ -101,14 +101,12 @@ public final class PixelBounds {
         expected = 0;
         isCutShort = false;
         countsHidden = false;
-        sufficient = Integer.MAX_VALUE;
         mask = pixels.mask(heading);
         if (mask == null) {
             countAround();
             return;
         }
-        sufficient = findSufficient(enough);
-        if (countCertain(sufficient)) {
+        if (countCertain(findSufficient(enough, PRECISION))) {
             isCutShort = true;
             countAround();
         } else if (pixels.isComplete()) {
@@ -121,14 +119,16 @@ public final class PixelBounds {
     /**
      * A sufficient number of pixels, hardly greater than the least: certain pixels are counted only that far. Greatest
      * integer if no number that is possible suffices.
+     *
+     * @param precision by which fraction of the least it may be greater, inverted
      */
-    private int findSufficient(IntPredicate enough) {
+    private int findSufficient(IntPredicate enough, int precision) {
         int found = mostAround();
         if (found == 0 || !enough.test(found)) {
             return Integer.MAX_VALUE;
         }
         int tooFew = 0;
-        while (found - tooFew > 1 + tooFew / PRECISION) {
+        while (found - tooFew > 1 + tooFew / precision) {
             // The geometric mean: a few pixels may suffice, or many thousands.
             int between = Math.max(tooFew + 1, (int) Math.sqrt((tooFew + 1.0) * found));
             if (enough.test(between)) {
@@ -182,9 +182,9 @@ public final class PixelBounds {
             return false;
         }
         boolean isExpected = mask == null || enough.test(expected);
-        // If the drone is expected to show enough pixels, not all need to be traced.
-        int traced = isExpected && mask != null ? sufficient - least : Integer.MAX_VALUE;
-        if (!drawing.beginSingly(drone, Math.min(traced, countInDoubt()))) {
+        skipsHidden = !countsHidden && enough.test(leastInTheOpen);
+        int decisive = mask == null ? Integer.MAX_VALUE : countDecisive(isExpected, enough);
+        if (!drawing.beginSingly(drone, Math.min(decisive, countInDoubt()))) {
             return false;
         }
         BooleanSupplier isDecided = () -> enough.test(least) || !enough.test(most);
@@ -192,6 +192,15 @@ public final class PixelBounds {
             trace(drawing, !isExpected, isDecided, isSufficient);
         }
         return true;
+    }
+
+    /** How many traced pixels decide if what is expected is true. */
+    private int countDecisive(boolean isExpected, IntPredicate enough) {
+        int needed = findSufficient(enough, Integer.MAX_VALUE);
+        if (isExpected) {
+            return needed - least;
+        }
+        return skipsHidden && needed < Integer.MAX_VALUE ? most - needed : Integer.MAX_VALUE;
     }
 
     /** Traces pixels that are likely to show the drone, or the others; true if that suffices. */
@@ -219,9 +228,10 @@ public final class PixelBounds {
     }
 
     private boolean isInDoubt(int pixel, byte kind) {
+        byte sight = pixels.sight(pixel);
         return kind == SilhouetteMask.INSIDE
-                ? pixels.sight(pixel) == PixelSample.UNCERTAIN
-                : kind != SilhouetteMask.OUTSIDE;
+                ? sight == PixelSample.UNCERTAIN
+                : kind != SilhouetteMask.OUTSIDE && !(skipsHidden && sight == PixelSample.HIDDEN);
     }
 
     private int countInDoubt() {
