@@ -156,8 +156,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A climb under power, followed by a quiet glide with the motors off, too high for a camera that points at the
-     * horizon. The drone stays at the end of the glide.
+     * A climb under power, followed by a quiet glide with the motors off. The drone stays at the end of the glide.
      *
      * @param from position at time 0, m
      * @param release position at which the motors stop, m

@@ -8,7 +8,7 @@ import org.jogamp.vecmath.Tuple3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * An immutable point or displacement in metres; in the world frame x is east, y is north and z is up. Used in settings,
+ * A point or displacement in metres; in the world frame x is east, y is north and z is up. Used in settings,
  * because vecmath's tuples are mutable. In a scene's settings each coordinate lies within 100 km of the origin;
  * computed displacements need only be finite.
  *

@@ -23,7 +23,7 @@ import org.dronewatch.setting.Switchable;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * A complete scene: one tree of records. Java scenes, scene files, overrides and sweeps build it; only then are meshes
+ * A complete scene. Java scenes, scene files, overrides and sweeps build it; only then are meshes
  * loaded and sensors created from it. The order of drones and sensors is kept.
  *
  * @param world the site

@@ -16,7 +16,7 @@ import org.dronewatch.sound.BandLevels;
  * A source of steady noise on the site, such as a factory or a road. Its sound travels to microphones as that of drones
  * does, in addition to the background noise.
  *
- * @param positions positions of the source, m: a single one for a factory, or the corners of a line, such as a road,
+ * @param positions positions of the source, m: a single one for a factory, or the points of a line, such as a road,
  *     whose power is uniform along its length
  * @param soundPowerLevel A-weighted sound power level of the whole source, -20 to 200 dB re 1 pW, in the energy model
  * @param shape spectrum of the sound power: the levels of the octave bands relative to one another, without weighting,

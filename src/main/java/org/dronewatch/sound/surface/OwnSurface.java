@@ -15,7 +15,7 @@ import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
 /**
- * An acoustic surface that a scene defines, in addition to those in the table. At most one of {@code absorption} and
+ * An acoustic surface that a scene defines, in addition to, or in place of, those in the table. At most one of {@code absorption} and
  * {@code absorptionByAngle} is given; properties that are omitted are those of the table's ordinary hard surface,
  * {@code solid}.
  *
