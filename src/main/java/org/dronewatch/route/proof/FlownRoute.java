@@ -169,10 +169,10 @@ public final class FlownRoute {
 
     /**
      * Flies the route with many seeds, on the {@link Workers} of the calling thread; the result does not depend on
-     * how many workers there are. Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of
-     * {@link RouteStarts} in turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}. In a run,
-     * observers also search for the drone while it waits for its route to begin: if they could see it there, the
-     * prediction is higher than {@link #detection}.
+     * how many workers there are. Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the
+     * moments of {@link RouteStarts} in turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
+     * In a run, observers also search for the drone while it waits for its route to begin: if they could see it
+     * there, the prediction is higher than {@link #detection}.
      *
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread

@@ -27,9 +27,9 @@ import org.dronewatch.world.World;
  * @param rayBudget maximum number of ray segments of one look, 1 to 50,000,000
  * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all
  *     rays, and reports the highest level and the cumulative energy
- * @param diffraction fraction of the reflected and of the transmitted energy that is scattered (which the thesis calls diffraction), 0 to 1; the specular
- *     and refracted rays carry the rest; if omitted, all rays carry equal energy. It affects the cumulative energy, not
- *     the levels, which are not divided
+ * @param diffraction fraction of the reflected and of the transmitted energy that is scattered (which the thesis
+ *     calls diffraction), 0 to 1; the specular and refracted rays carry the rest; if omitted, all rays carry equal
+ *     energy. It affects the cumulative energy, not the levels, which are not divided
  * @param transmittedRays number of rays from the far side of a wall that transmits sound, 1 to 10,000: one refracted,
  *     the others scattered
  */
