@@ -16,8 +16,8 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
 /**
  * An acoustic surface that a scene defines, in addition to, or in place of, those in the table. At most one of
- * {@code absorption} and {@code absorptionByAngle} is given; properties that are omitted are those of the table's ordinary hard surface,
- * {@code solid}.
+ * {@code absorption} and {@code absorptionByAngle} is given; properties that are omitted are those of the table's
+ * ordinary hard surface, {@code solid}.
  *
  * @param absorption fraction of the sound that is not reflected, 0 to 1, for all angles: eight octave bands, or one
  *     number
