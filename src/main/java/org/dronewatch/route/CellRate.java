@@ -24,6 +24,12 @@ final class CellRate {
     /** By course, the greater, the nearer its heading is to that of the drone. */
     private final double[] along;
 
+    /** The courses by what passes on them; of several with the same, that with the nearest heading; null until needed. */
+    private int[] sorted;
+
+    /** How many courses are sorted. */
+    private int count;
+
     /** The rate where nothing passes, 1/s; NaN if it is not yet known. */
     private double ofNothing = Double.NaN;
 
@@ -45,28 +51,48 @@ final class CellRate {
         this.along = along;
     }
 
-    /** The course on which no more passes than in flight, or the one on which the least passes. */
-    private int below(double passing) {
-        int below = -1;
+    /** Sorts the courses by what passes; most rates that are asked for are in between. */
+    private void sort() {
+        sorted = new int[passes.length];
         for (int course = 0; course < passes.length; course++) {
-            boolean isNearer = below < 0
-                    || passes[course] > passes[below]
-                    || passes[course] == passes[below] && along[course] > along[below];
-            below = passes[course] <= passing && isNearer ? course : below;
+            int place = count;
+            while (place > 0 && passes[sorted[place - 1]] > passes[course]) {
+                place--;
+            }
+            if (place > 0 && passes[sorted[place - 1]] == passes[course]) {
+                int other = sorted[place - 1];
+                sorted[place - 1] = along[course] > along[other] ? course : other;
+            } else {
+                System.arraycopy(sorted, place, sorted, place + 1, count - place);
+                sorted[place] = course;
+                count++;
+            }
         }
-        return below;
     }
 
-    /** The course on which no less passes than in flight. */
-    private int above(double passing) {
-        int above = -1;
-        for (int course = 0; course < passes.length; course++) {
-            boolean isNearer = above < 0
-                    || passes[course] < passes[above]
-                    || passes[course] == passes[above] && along[course] > along[above];
-            above = passes[course] >= passing && isNearer ? course : above;
+    /** The number of sorted courses on which no more passes than in flight. */
+    private int notAbove(double passing) {
+        if (sorted == null) {
+            sort();
         }
-        return above;
+        int number = 0;
+        while (number < count && passes[sorted[number]] <= passing) {
+            number++;
+        }
+        return number;
+    }
+
+    /** The course on which no more passes than in flight, or -1. */
+    private int below(int notAbove) {
+        return notAbove > 0 ? sorted[notAbove - 1] : -1;
+    }
+
+    /** The course on which no less passes than in flight, or -1. */
+    private int above(int notAbove, double passing) {
+        if (notAbove > 0 && passes[sorted[notAbove - 1]] == passing) {
+            return sorted[notAbove - 1];
+        }
+        return notAbove < count ? sorted[notAbove] : -1;
     }
 
     /**
@@ -88,8 +114,9 @@ final class CellRate {
     }
 
     private double between(double passing) {
-        int below = below(passing);
-        int above = above(passing);
+        int notAbove = notAbove(passing);
+        int below = below(notAbove);
+        int above = above(notAbove, passing);
         if (below < 0 || above < 0) {
             return rates[steps[Math.max(below, above)]];
         }
@@ -110,8 +137,9 @@ final class CellRate {
 
     /** The course on which the sensor sees most nearly what it sees in flight. */
     int course(double passing) {
-        int below = below(passing);
-        int above = above(passing);
+        int notAbove = notAbove(passing);
+        int below = below(notAbove);
+        int above = above(notAbove, passing);
         return below < 0 || above >= 0 && fraction(below, above, passing) >= 0.5 ? above : below;
     }
 

@@ -54,11 +54,11 @@ class Pursuit extends Scene {
                 CameraSettings.at(new Position(-40, -40, 160))
                         .withLookAt(new Position(-60, 40, 172))
                         .withRate(7.0));
-        add("ear", AcousticSettings.at(EAR).withRate(5.0).withPropagation(EnergyModel.DEFAULT.withRays(100)));
+        add("ear", AcousticSettings.at(EAR).withRate(2.0).withPropagation(EnergyModel.DEFAULT.withRays(100)));
         add(
                 "far-ear",
                 AcousticSettings.at(new Position(-300, 200, 160))
-                        .withRate(3.0)
+                        .withRate(1.5)
                         .withPropagation(EnergyModel.DEFAULT.withRays(100)));
         add("radar", RadarSettings.at(new Position(100, 100, 165), new LinkBudget.Hardware(4, 33, 0.02, 10e6, 0, 0)));
         setRun(RunSettings.DEFAULT.withDuration(DURATION));

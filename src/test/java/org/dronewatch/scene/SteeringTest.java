@@ -201,6 +201,7 @@ class SteeringTest {
         try (RunReport report = new RunReport(scene, directory.resolve("answered"), false)) {
             report.finish(new SceneRunner(scene)
                     .set("sensors.ear.enabled", "false")
+                    .set("sensors.far-ear.propagation", "level-model")
                     .pilot(() -> run -> run.drone("hunter").fly(new Position(Pursuit.SPEED, 0, 0)))
                     .listener(report)
                     .onFrame(frame -> {
@@ -216,6 +217,7 @@ class SteeringTest {
         }
         List<Observation> replayed = observations(new SceneRunner(new Pursuit(Recorded.of("answered/flights.csv")))
                 .set("sensors.ear.enabled", "false")
+                .set("sensors.far-ear.propagation", "level-model")
                 .directory(directory));
         assertThat(replayed).isEqualTo(steered).isNotEmpty();
     }

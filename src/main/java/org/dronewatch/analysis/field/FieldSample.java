@@ -1,5 +1,8 @@
 package org.dronewatch.analysis.field;
 
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldColumns;
@@ -27,38 +30,65 @@ public final class FieldSample {
     private static final double G = 1.2207440846057596;
 
     private final FieldColumns places;
-    private final FieldColumns chosen;
-    private final FieldSensors sensors;
+    private final BitSet undetected;
 
-    private FieldSample(FieldColumns places, FieldColumns chosen, FieldSensors sensors) {
+    private FieldSample(FieldColumns places, BitSet undetected) {
         this.places = places;
-        this.chosen = chosen;
-        this.sensors = sensors;
+        this.undetected = undetected;
     }
 
     /**
-     * Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread.
+     * Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread: each only where
+     * those before it do not detect the drone. Sensors that search come last, since each of their assessments is one of
+     * many pointings.
      *
      * @param which the places at which they are assessed, if the drone can be there, m
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static FieldSample of(DetectionField field, Predicate<Position> which) {
-        World world = field.all().probe(0).world();
+        FieldSensors sensors = field.all();
+        World world = sensors.probe(0).world();
         Spread spread = new Spread(field.grid());
         FieldColumns places = columns(world, spread);
-        FieldColumns chosen = columns(world, new Chosen(spread, places, which));
-        return new FieldSample(
-                places,
-                chosen,
-                field.all().in(chosen, LayerStore.NONE, field.grid().toString(), "sample", cells -> {}));
+        BitSet undetected = new BitSet(COUNT);
+        for (int place = 0; place < COUNT; place++) {
+            undetected.set(
+                    place, isOpen(places, place) && which.test(places.middle(0, place % COLUMNS, place / COLUMNS)));
+        }
+        List<Integer> order = IntStream.range(0, sensors.names().size())
+                .boxed()
+                .sorted(Comparator.comparing(
+                        sensor -> sensors.probe(sensor).search().isPresent()))
+                .toList();
+        for (int sensor : order) {
+            FieldColumns asked = columns(world, new Chosen(spread, (BitSet) undetected.clone()));
+            FieldSensors alone =
+                    sensors.only(sensor).in(asked, LayerStore.NONE, field.grid().toString(), "sample", cells -> {});
+            undetected.stream()
+                    .filter(place -> isOpen(asked, place) && isDetected(alone, place))
+                    .boxed()
+                    .toList()
+                    .forEach(undetected::clear);
+        }
+        return new FieldSample(places, undetected);
+    }
+
+    private static boolean isOpen(FieldColumns columns, int place) {
+        return columns.isOpen(0, place % COLUMNS, place / COLUMNS);
+    }
+
+    private static boolean isDetected(FieldSensors alone, int place) {
+        return IntStream.range(0, alone.courses().size())
+                .map(course -> alone.step(0, 0, place % COLUMNS, place / COLUMNS, course))
+                .anyMatch(step -> ProbabilityStep.least(step) > 0.0);
     }
 
     private static FieldColumns columns(World world, FieldColumns.Plan plan) {
         return new FieldColumns(world, COLUMNS, COUNT / COLUMNS, 1, plan);
     }
 
-    /** Some of the points at which a drone can be. */
-    private record Chosen(Spread all, FieldColumns places, Predicate<Position> which) implements FieldColumns.Plan {
+    /** Some of the points. */
+    private record Chosen(Spread all, BitSet which) implements FieldColumns.Plan {
         @Override
         public double x(int column, int row) {
             return all.x(column, row);
@@ -76,7 +106,7 @@ public final class FieldSample {
 
         @Override
         public boolean isOutside(int column, int row) {
-            return !places.isOpen(0, column, row) || !which.test(places.middle(0, column, row));
+            return !which.get(row * COLUMNS + column);
         }
     }
 
@@ -128,15 +158,6 @@ public final class FieldSample {
      * above 0, on any course.
      */
     public int undetectedCount() {
-        return (int) IntStream.range(0, COUNT)
-                .filter(place -> chosen.isOpen(0, place % COLUMNS, place / COLUMNS) && isUndetected(place))
-                .count();
-    }
-
-    private boolean isUndetected(int place) {
-        return IntStream.range(0, sensors.names().size())
-                .allMatch(sensor -> IntStream.range(0, sensors.courses().size())
-                        .map(course -> sensors.step(sensor, 0, place % COLUMNS, place / COLUMNS, course))
-                        .allMatch(step -> ProbabilityStep.least(step) == 0.0));
+        return undetected.cardinality();
     }
 }

@@ -79,6 +79,12 @@ final class FieldSensors {
         return moved;
     }
 
+    /** One of the sensors, given by its number, on the same courses. */
+    FieldSensors only(int sensor) {
+        return new FieldSensors(
+                courses, inLayers, Map.of(names.get(sensor), probe(sensor)), List.of(layers.get(sensor)));
+    }
+
     /** The same sensors at one height alone, given by its number: as many courses as in their layers. */
     FieldSensors at(int height) {
         List<SensorLayer> there = layers.stream().map(layer -> layer.at(height)).toList();
