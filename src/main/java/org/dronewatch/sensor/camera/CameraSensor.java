@@ -84,9 +84,13 @@ public final class CameraSensor implements BoundingSensor {
         }
         if (!pointing.equals(where)) {
             pointing = where;
-            picture = pointing.map(to -> new DronePicture(new CameraObject(settings.pointed(to))))
+            picture = pointing.map(to -> turned(new CameraObject(settings.pointed(to))))
                     .orElse(ownAim);
         }
+    }
+
+    private DronePicture turned(CameraObject to) {
+        return picture == ownAim ? new DronePicture(to) : picture.turned(to);
     }
 
     @Override

@@ -24,6 +24,11 @@ public final class DronePicture {
 
     private final SiteImages images;
     private final boolean isAtRest;
+
+    /** What drew drones in another pose; null for none. */
+    private DynamicView former;
+
+    private World formerWorld;
     private DynamicView dynamicView;
     private StaticView staticView;
 
@@ -59,6 +64,19 @@ public final class DronePicture {
     /** Pictures of the same camera for another thread, which share the image of the site. */
     public DronePicture sibling() {
         return new DronePicture(camera, images, isAtRest);
+    }
+
+    /**
+     * The pictures of a camera in another temporary pose, for the same thread, which take over the scratch memory of
+     * these; only the others are used from then on.
+     */
+    public DronePicture turned(CameraObject to) {
+        DronePicture turned = new DronePicture(to);
+        if (staticView != null) {
+            turned.former = dynamicView;
+            turned.formerWorld = staticView.world();
+        }
+        return turned;
     }
 
     /** Pose and projection. */
@@ -153,7 +171,7 @@ public final class DronePicture {
             boundPlace = null;
             sight = new SightCone(world.tree(), camera.position());
             staticView = new StaticView(camera, world, images);
-            dynamicView = new DynamicView(camera, world::newTileTracer);
+            dynamicView = world == formerWorld ? former.turned(camera) : new DynamicView(camera, world::newTileTracer);
         }
     }
 

@@ -38,7 +38,7 @@ final class DynamicView {
     private TileTracer singly;
 
     private final Function<KDTree, TileTracer> tracers;
-    private final Map<KDTree, TileTracer> traversals = new IdentityHashMap<>();
+    private final Map<KDTree, TileTracer> traversals;
 
     /** One for each drone of the last frame, in its order. */
     private Silhouette[] silhouettes = new Silhouette[0];
@@ -57,10 +57,20 @@ final class DynamicView {
      * @param tracers make what traces a drone's tree
      */
     DynamicView(CameraObject camera, Function<KDTree, TileTracer> tracers) {
+        this(camera, tracers, new IdentityHashMap<>());
+    }
+
+    private DynamicView(CameraObject camera, Function<KDTree, TileTracer> tracers, Map<KDTree, TileTracer> traversals) {
         this.camera = camera;
         this.tracers = tracers;
+        this.traversals = traversals;
         this.significantPixels = new SignificantPixels(camera);
         this.grid = new ModelGrid(camera);
+    }
+
+    /** A view of a camera in another pose, with the same tracers, which hold much memory: this one is not used again. */
+    DynamicView turned(CameraObject to) {
+        return new DynamicView(to, tracers, traversals);
     }
 
     /** Draws the drones of a new frame and forgets those of the last. */

@@ -21,7 +21,9 @@ final class StaticView implements Background {
 
     private final CameraObject camera;
     private final World world;
-    private final TileTracer traversal;
+
+    /** Made when something is traced: a camera in a temporary pose often looks at nothing but the drone. */
+    private TileTracer traversal;
 
     private final SiteImage image;
     private final int tilesAcross;
@@ -38,7 +40,6 @@ final class StaticView implements Background {
     StaticView(CameraObject camera, World world, SiteImages images) {
         this.camera = camera;
         this.world = world;
-        this.traversal = newTraversal();
         this.tilesAcross = (camera.width() + TILE_WIDTH - 1) / TILE_WIDTH;
         this.tilesDown = (camera.height() + TILE_HEIGHT - 1) / TILE_HEIGHT;
         this.blocksAcross = (tilesAcross + BLOCK_COLUMNS - 1) / BLOCK_COLUMNS;
@@ -57,6 +58,11 @@ final class StaticView implements Background {
         created.setPicture(
                 new double[] {from.x(), from.y(), from.z()}, grid[0], grid[1], grid[2], camera.near(), camera.far());
         return created;
+    }
+
+    /** The world that it shows. */
+    World world() {
+        return world;
     }
 
     /** Whether this view shows a world. */
@@ -81,6 +87,7 @@ final class StaticView implements Background {
         int block = block(tile);
         synchronized (image.lock(block)) {
             if (image.tile(tile) == null) {
+                traversal = traversal == null ? newTraversal() : traversal;
                 if (tracesBlocks) {
                     traceBlock(traversal, block);
                 } else {
