@@ -24,7 +24,7 @@ final class CellRate {
     /** By course, the greater, the nearer its heading is to that of the drone. */
     private final double[] along;
 
-    /** The courses by what passes on them; of several with the same, that with the nearest heading; null until needed. */
+    /** The courses by what passes on them; of several that are equal, that with the nearest heading; null at first. */
     private int[] sorted;
 
     /** How many courses are sorted. */

@@ -68,7 +68,7 @@ final class DynamicView {
         this.grid = new ModelGrid(camera);
     }
 
-    /** A view of a camera in another pose, with the same tracers, which hold much memory: this one is not used again. */
+    /** A view of a camera in another pose, with the same tracers, which hold much memory; this one is done. */
     DynamicView turned(CameraObject to) {
         return new DynamicView(to, tracers, traversals);
     }
