@@ -177,6 +177,11 @@ class DragTimesTest {
     }
 
     @Test
+    void aThermalCameraOverMonaco() throws Exception {
+        drag("monaco.yaml", "thermal");
+    }
+
+    @Test
     void aCameraOverMultiSensor() throws Exception {
         drag("multi-sensor.yaml", "north-east-2");
     }
