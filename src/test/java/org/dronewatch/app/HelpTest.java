@@ -85,7 +85,7 @@ class HelpTest {
     void theCommonOptionsSayWhatTheyDo(String command) {
         assertThat(Program.run(command, "--help").out())
                 .containsPattern("-h, --help +Prints this help\\.")
-                .containsPattern("-V, --version +Prints the version, ");
+                .containsPattern("-V, --version +Prints the program's version, ");
     }
 
     @ParameterizedTest
