@@ -16,6 +16,18 @@ import org.dronewatch.geometry.Position;
  */
 public record RoutePoint(
         double time, double distance, Position position, double above, int mode, double exposure, boolean isCorner) {
+    /** A point on the straight way to another one, in this mode. */
+    RoutePoint towards(RoutePoint next, double share) {
+        return new RoutePoint(
+                time + share * (next.time - time),
+                distance + share * (next.distance - distance),
+                position.plus(next.position.minus(position).times(share)),
+                above + share * (next.above - above),
+                mode,
+                exposure + share * (next.exposure - exposure),
+                isCorner && share == 0.0);
+    }
+
     /** The same point with another exposure so far. */
     RoutePoint withExposure(double other) {
         return new RoutePoint(time, distance, position, above, mode, other, isCorner);

@@ -121,15 +121,19 @@ public record RouteProfile(List<RoutePoint> points) {
 
     /** The exposure up to a time, s. */
     public double exposureUntil(double time) {
+        return at(time).exposure();
+    }
+
+    /** Where the drone is at a time, s since the start: interpolated between two points, and at the end after it. */
+    public RoutePoint at(double time) {
         for (int i = 1; i < points.size(); i++) {
             RoutePoint before = points.get(i - 1);
             RoutePoint after = points.get(i);
             if (after.time() > time) {
-                double share = Math.max(0.0, (time - before.time()) / (after.time() - before.time()));
-                return before.exposure() + share * (after.exposure() - before.exposure());
+                return before.towards(after, Math.max(0.0, (time - before.time()) / (after.time() - before.time())));
             }
         }
-        return exposure();
+        return end();
     }
 
     /** The median height above the ground over the time of the flight, m. */

@@ -48,6 +48,22 @@ class RouteProfileTest {
                 grid::above);
     }
 
+    /** 15.3 of the 60 s of the second leg have passed; the route is over after 70 s. */
+    @Test
+    void theDroneIsBetweenThePointsOfTheProfile() {
+        RouteProfile profile = profile(RATE);
+        RoutePoint there = profile.at(25.3);
+        assertThat(there.position().distance(new Position(100, 76.5, 35.3))).isLessThan(1e-9);
+        assertThat(there.above()).isCloseTo(35.3, within(1e-9));
+        assertThat(there.distance()).isCloseTo(100.0 + 0.255 * Math.hypot(300.0, 60.0), within(1e-9));
+        assertThat(there.time()).isCloseTo(25.3, within(1e-9));
+        assertThat(there.exposure()).isCloseTo(15.3 * RATE, within(1e-9));
+        assertThat(there.isCorner()).isFalse();
+        assertThat(profile.at(0.0)).isEqualTo(profile.points().get(0));
+        assertThat(profile.at(-1.0)).isEqualTo(profile.points().get(0));
+        assertThat(profile.at(70.5)).isEqualTo(profile.end());
+    }
+
     /** The second leg climbs 60 m at 1 m/s: it takes 60 s, longer than its length at cruise speed. */
     @Test
     void timesDistancesAndExposuresAddUp() {

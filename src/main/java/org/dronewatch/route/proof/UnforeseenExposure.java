@@ -6,7 +6,6 @@ import java.util.Map;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.RoutePoint;
-import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.exposure.LegMotion;
@@ -47,9 +46,8 @@ public final class UnforeseenExposure implements ExposureField {
         Map<Integer, Double> byCube = new HashMap<>();
         for (List<FlownExposure.Step> looks : flown.flights()) {
             for (FlownExposure.Step look : looks) {
-                double expected = route.searched().exposureUntil(look.time())
-                        - route.searched().exposureUntil(look.before());
-                RoutePoint at = at(route.searched(), look.time());
+                RoutePoint at = route.searched().at(look.time());
+                double expected = at.exposure() - route.searched().exposureUntil(look.before());
                 double rate = (look.exposure() - expected)
                         * modes.get(at.mode()).speed()
                         / (grid.spacing() * flown.flights().size());
@@ -72,21 +70,6 @@ public final class UnforeseenExposure implements ExposureField {
     private int corner(int first, int corner) {
         int above = grid.levels() > 1 ? corner >> 2 : 0;
         return first + (corner & 1) + ((corner >> 1 & 1) + above * grid.rows()) * grid.columns();
-    }
-
-    /** Where the drone is at a time, s. */
-    private static RoutePoint at(RouteProfile profile, double time) {
-        List<RoutePoint> points = profile.points();
-        int next = 1;
-        while (next < points.size() - 1 && points.get(next).time() < time) {
-            next++;
-        }
-        RoutePoint from = points.get(next - 1);
-        RoutePoint to = points.get(next);
-        double share = Math.max(0.0, Math.min(1.0, (time - from.time()) / (to.time() - from.time())));
-        Position between =
-                from.position().plus(to.position().minus(from.position()).times(share));
-        return new RoutePoint(time, from.distance(), between, from.above(), from.mode(), from.exposure(), false);
     }
 
     @Override
