@@ -94,7 +94,7 @@ final class PlacePictures {
         String above = Numbers.text(above(height)) + " m";
         sheet.line("best layout compared with today's");
         sheet.line("at " + above + " above the ground,");
-        sheet.line(inputs().headingInWords() + ";");
+        sheet.line(inputs().headingInWords() + ":");
         sheet.space();
         map.writeLegend(sheet);
         sheet.space();
