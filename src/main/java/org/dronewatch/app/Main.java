@@ -3,6 +3,7 @@ package org.dronewatch.app;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -34,31 +35,6 @@ import picocli.CommandLine.Spec;
         versionProvider = VersionText.class,
         mixinStandardHelpOptions = true,
         description = "Simulates how a set of sensors sees and hears drones in a 3D model of a real site.",
-        subcommands = {
-            ListCommand.class,
-            RunCommand.class,
-            ViewCommand.class,
-            CheckCommand.class,
-            NewCommand.class,
-            HeightCommand.class,
-            SaveCommand.class,
-            SchemaCommand.class,
-            RenderCommand.class,
-            CoverageCommand.class,
-            RouteCommand.class,
-            PlaceCommand.class,
-            CampaignCommand.class,
-            CompareCommand.class,
-            MergeCommand.class,
-            AgainCommand.class,
-            AlarmsCommand.class,
-            CalibrateCommand.class,
-            BenchCommand.class,
-            CostsCommand.class,
-            ModelsCommand.class,
-            CompletionCommand.class,
-            HelpCommand.class
-        },
         footer = {"", "Example:", "  dronewatch run camera-range --out results"})
 public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     private static final String HEADLESS = "java.awt.headless";
@@ -91,8 +67,8 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
 
     private Interruption interruption;
 
-    /** The commands, which run campaigns in this process. */
-    public Main() {
+    /** Campaigns run in this process. */
+    Main() {
         this(CampaignCluster.NONE);
     }
 
@@ -151,7 +127,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
         ImageIO.setUseCache(false);
         Main main = new Main(cluster);
         PrintWriter plainErr = new PlainPrinter(err);
-        CommandLine commands = new CommandLine(main);
+        CommandLine commands = Commands.program(main, List.of(arguments));
         commands.setOut(out);
         commands.setErr(plainErr);
         commands.setCaseInsensitiveEnumValuesAllowed(true);

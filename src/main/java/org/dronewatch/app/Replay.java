@@ -68,7 +68,7 @@ final class Replay {
      */
     Replay(Path file, RecordedCommand recorded) {
         this.file = file;
-        CommandLine commands = new CommandLine(new Main());
+        CommandLine commands = Commands.program(new Main(), recorded.words());
         commands.setExpandAtFiles(false);
         commands.setCaseInsensitiveEnumValuesAllowed(true);
         try {

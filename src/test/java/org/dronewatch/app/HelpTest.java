@@ -21,7 +21,7 @@ class HelpTest {
     private static final String PAGE = "src/site/markdown/commands.md";
 
     static Set<String> commands() {
-        return new CommandLine(new Main()).getSubcommands().keySet();
+        return Program.commands().getSubcommands().keySet();
     }
 
     private static List<String> words(String line) {
@@ -45,7 +45,7 @@ class HelpTest {
         for (String example : examples) {
             // Words after '>' are the shell's.
             List<String> words = words(example.strip().replaceFirst(" > .*", ""));
-            CommandLine program = new CommandLine(new Main()).setCaseInsensitiveEnumValuesAllowed(true);
+            CommandLine program = Program.commands().setCaseInsensitiveEnumValuesAllowed(true);
             assertThat(program.parseArgs(words.subList(1, words.size()).toArray(String[]::new)))
                     .as(example)
                     .isNotNull();
@@ -56,7 +56,7 @@ class HelpTest {
     @ParameterizedTest
     @MethodSource("commands")
     void noArgumentOfAUsageIsBroken(String command) {
-        CommandLine wide = new CommandLine(new Main()).getSubcommands().get(command);
+        CommandLine wide = Program.commands().getSubcommands().get(command);
         wide.getCommandSpec().usageMessage().width(10_000);
 
         assertThat(usage(Program.run(command, "--help").out())).isEqualTo(usage(wide.getUsageMessage()));
@@ -162,7 +162,7 @@ class HelpTest {
     @Test
     void shortNamesMeanTheSameEverywhere() {
         Set<String> common = Set.of("-q", "-v", "-h", "-V");
-        for (CommandLine command : new CommandLine(new Main()).getSubcommands().values()) {
+        for (CommandLine command : Program.commands().getSubcommands().values()) {
             for (OptionSpec option : command.getCommandSpec().options()) {
                 for (String name : option.names()) {
                     assertThat(name.startsWith("--") || common.contains(name))

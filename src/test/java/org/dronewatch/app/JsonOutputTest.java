@@ -104,7 +104,7 @@ class JsonOutputTest {
 
     @Test
     void everyCommandThatPrintsATableHasTheOption() {
-        Map<String, CommandLine> all = new CommandLine(new Main()).getSubcommands();
+        Map<String, CommandLine> all = Program.commands().getSubcommands();
         Set<String> with = COMMANDS.stream().map(JsonOutputTest::name).collect(Collectors.toSet());
 
         assertThat(Stream.of(with, WITHOUT).flatMap(Collection::stream))

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import picocli.CommandLine;
 
 /** The program as tests run it: here, or in a process. */
 public final class Program {
@@ -23,6 +24,11 @@ public final class Program {
         public List<String> complaints() {
             return err.lines().filter(line -> !line.startsWith("read ")).toList();
         }
+    }
+
+    /** All commands, to be looked at. */
+    public static CommandLine commands() {
+        return Commands.program(new Main());
     }
 
     /** Runs a command in this process. */

@@ -23,6 +23,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronewatch.app.Main;
+import org.dronewatch.app.Program;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.KDTreeStats;
 import org.dronewatch.mesh.io.ModelLoader;
@@ -34,7 +35,6 @@ import org.dronewatch.scenes.ClosedSpace;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 /** The page from the thesis to the code tells the truth: what it names exists, and what it shows can be seen. */
 class ThesisPageTest {
@@ -71,7 +71,7 @@ class ThesisPageTest {
     private static final Pattern CAPTION = Pattern.compile("<figcaption>[^<]*");
 
     private static final Set<String> COMMANDS =
-            new CommandLine(new Main()).getSubcommands().keySet();
+            Program.commands().getSubcommands().keySet();
 
     @TempDir
     private Path directory;
@@ -274,7 +274,7 @@ class ThesisPageTest {
         for (String command : commands()) {
             List<String> words = words(command);
             words.addAll(OUTPUT.getOrDefault(words.get(0), List.of()));
-            assertThat(new CommandLine(new Main())
+            assertThat(Program.commands()
                             .setCaseInsensitiveEnumValuesAllowed(true)
                             .parseArgs(words.toArray(String[]::new)))
                     .as("%s", command)
