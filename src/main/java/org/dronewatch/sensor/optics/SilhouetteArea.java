@@ -1,10 +1,12 @@
 package org.dronewatch.sensor.optics;
 
+import java.util.function.BooleanSupplier;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.SilhouetteMask;
 import org.dronewatch.drone.SilhouetteTable;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.RayTracer;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
@@ -20,6 +22,9 @@ public final class SilhouetteArea {
 
     /** A mask saves several pictures of about this number of pixels: see {@link SilhouetteTable#mask}. */
     private static final int PIXELS_SAVED = 512;
+
+    /** Rays that take about as long as the question whether bounds are decisive. */
+    private static final int RAYS_AT_A_TIME = 8;
 
     private final CameraObject camera;
     private final VisibleArea area;
@@ -90,6 +95,40 @@ public final class SilhouetteArea {
         drone.modelMatrix(model);
         isKnown = true;
         return true;
+    }
+
+    /**
+     * Narrows the bounds until they are decisive, for a drone that nothing hides: traces rays about which the mask
+     * leaves a doubt. In the end, the bounds are equal but for rounding.
+     *
+     * @param drone the one that was bounded last
+     * @param isDecisive whether the bounds as they are now suffice; if they do, narrower ones must as well
+     * @return whether they are decisive
+     */
+    public boolean narrow(Drone drone, BooleanSupplier isDecisive) {
+        RayTracer model = area.tracer(drone);
+        int traced = 0;
+        for (int number = 0; number < RayBundle.RAYS; number++) {
+            int ray = VisibleArea.inOrder(number);
+            double part = isInDoubt(kinds[ray]) ? area.bundle().part(ray) * (1.0 - ROUNDING) : 0.0;
+            if (part == 0.0) {
+                continue;
+            }
+            if (area.meets(model, ray)) {
+                least += part;
+            } else {
+                most -= part;
+            }
+            traced++;
+            if (traced % RAYS_AT_A_TIME == 0 && isDecisive.getAsBoolean()) {
+                return true;
+            }
+        }
+        return isDecisive.getAsBoolean();
+    }
+
+    private static boolean isInDoubt(byte kind) {
+        return kind == SilhouetteMask.LIKELY || kind == SilhouetteMask.UNLIKELY;
     }
 
     /** Whether the bounds are those of a drone in its present pose. */

@@ -113,12 +113,11 @@ public final class VisibleArea {
                     : (double) camera.width() * camera.height();
         }
         bundle.set(vector, range, reach);
-        drone.worldToModel(toModel);
-        RayTracer model = new StackTraversal(drone.tree());
+        RayTracer model = tracer(drone);
         double found = 0.0;
         double asked = 0.0;
         for (int number = 0; number < RayBundle.RAYS; number++) {
-            int i = number * STRIDE % RayBundle.RAYS;
+            int i = inOrder(number);
             byte kind = silhouette == null ? SilhouetteMask.LIKELY : silhouette.kind(i);
             boolean isSeen = kind != SilhouetteMask.OUTSIDE
                     && (silhouette == null ? seen(model, i, open) : seen(model, i, open, kind));
@@ -139,9 +138,29 @@ public final class VisibleArea {
         return area;
     }
 
-    private boolean seen(RayTracer model, int ray, boolean open) {
+    /** The ray that is traced after a number of others. */
+    static int inOrder(int number) {
+        return number * STRIDE % RayBundle.RAYS;
+    }
+
+    /** The tracer of a drone's own mesh, where it is. */
+    RayTracer tracer(Drone drone) {
+        drone.worldToModel(toModel);
+        return new StackTraversal(drone.tree());
+    }
+
+    /**
+     * Whether a ray of the bundle as it is set meets the drone, whether or not the site is in its way.
+     *
+     * @param model the {@link #tracer} of the drone, the one requested last
+     */
+    boolean meets(RayTracer model, int ray) {
         bundle.aim(ray);
-        boolean hit = isHit(model);
+        return isHit(model);
+    }
+
+    private boolean seen(RayTracer model, int ray, boolean open) {
+        boolean hit = meets(model, ray);
         boolean isSeen = hit && (open || bundle.isFree(model.distance()));
         isObstructed |= hit && !isSeen;
         return isSeen;

@@ -76,14 +76,21 @@ final class ThermalBounds {
         if (!silhouette.bound(there, state) || !sight.isClear(state.position(), drone.radius())) {
             return Optional.empty();
         }
-        Signal low = signals.of(there, silhouette.least());
-        Signal high = signals.of(there, silhouette.most());
-        if (steps.applyAsInt(low.probability()) != steps.applyAsInt(high.probability())
-                || low.isDetected() != high.isDetected()) {
+        if (!isDecisive(there, steps) && !silhouette.narrow(there, () -> isDecisive(there, steps))) {
             return Optional.empty();
         }
+        Signal low = signals.of(there, silhouette.least());
+        Signal high = signals.of(there, silhouette.most());
         Cause missed = isInOutline(state.position()) ? Cause.TOO_WEAK : Cause.OUT_OF_VIEW;
         return bounds(low, high, low.isDetected() ? Cause.DETECTED : missed);
+    }
+
+    /** Whether the bounds of its area decide what is made of a drone. */
+    private boolean isDecisive(Drone there, DoubleToIntFunction steps) {
+        Signal low = signals.of(there, silhouette.least());
+        Signal high = signals.of(there, silhouette.most());
+        return low.isDetected() == high.isDetected()
+                && steps.applyAsInt(low.probability()) == steps.applyAsInt(high.probability());
     }
 
     private boolean isInOutline(Position at) {

@@ -265,4 +265,37 @@ class ThermalSensorTest {
                 .containsKeys(Cause.OUT_OF_VIEW, Cause.HIDDEN_BY_BUILDING, Cause.TOO_WEAK);
         assertThat(Math.min(decided[0], decided[1])).as("seed %d", seed).isPositive();
     }
+
+    /** Nothing hides the drone, so that rays need only be traced until they decide. */
+    @Test
+    void boundsDecideWhereverNothingHidesTheDrone() {
+        long seed = System.nanoTime();
+        System.out.println("ThermalSensorTest: nothing hidden, seed " + seed);
+        SplittableRandom random = new SplittableRandom(seed);
+        ThermalSettings settings =
+                ThermalSettings.at(REST).withHorizontalFov(0.3).withChance(true);
+        ThermalSensor exact = settings.create();
+        ThermalSensor quick = settings.create();
+        Drone quadrotor = DroneSettings.of(ModelSettings.packaged("quadrotor.obj"), Hover.at(REST))
+                .create("drone", java.nio.file.Path.of(""));
+        int uncertain = 0;
+        for (int i = 0; i < 400; i++) {
+            Position at = new Position(0.0, 100.0 + 600.0 * random.nextDouble(), 10.0);
+            FlightState state = new FlightState(at, REST, 6.0 * random.nextDouble());
+            // The masks of a direction are made once it has been asked for a few times.
+            for (int time = 0; time < 4; time++) {
+                quick.bound(empty(), quadrotor, state, Optional.empty(), p -> (int) (250 * p));
+            }
+            Optional<AssessmentBounds> bounds =
+                    quick.bound(empty(), quadrotor, state, Optional.empty(), p -> (int) (250 * p));
+            double p = exact.assess(empty(), quadrotor.at(state), Optional.empty(), random)
+                    .probability();
+            String as = "seed %d, %s".formatted(seed, state);
+            assertThat(bounds).as(as).isPresent();
+            assertThat(p).as(as).isBetween(bounds.get().least(), bounds.get().greatest());
+            assertThat((int) (250 * bounds.get().least())).as(as).isEqualTo((int) (250 * p));
+            uncertain += p > 0.1 && p < 0.9 ? 1 : 0;
+        }
+        assertThat(uncertain).as("seed %d", seed).isPositive();
+    }
 }
