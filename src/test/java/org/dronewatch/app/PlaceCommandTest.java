@@ -53,7 +53,16 @@ class PlaceCommandTest {
     void theFileStatesTheLayoutAndWhatLessMoneyBuys() {
         assertThat(json.propertyNames())
                 .containsExactly(
-                        "objective", "value", "bound", "gap", "cost", "chosen", "present", "front", "complete");
+                        "objective",
+                        "value",
+                        "bound",
+                        "gap",
+                        "cost",
+                        "chosen",
+                        "present",
+                        "front",
+                        "budgets",
+                        "complete");
         assertThat(json.get("objective").asString()).isEqualTo("coverage");
         assertThat(json.get("complete").asBoolean()).isTrue();
         assertThat(json.get("bound").asDouble())

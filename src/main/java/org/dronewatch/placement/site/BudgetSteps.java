@@ -1,7 +1,10 @@
 package org.dronewatch.placement.site;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
+import java.util.NavigableSet;
 import java.util.TreeSet;
 import org.dronewatch.placement.Candidate;
 
@@ -16,15 +19,15 @@ final class BudgetSteps {
     private BudgetSteps() {}
 
     /**
-     * Budgets in ascending order.
+     * Evenly spaced budgets in ascending order.
      *
+     * @param sums of prices
      * @param limit all are lower
      * @param most greatest number of them, 0 or more
      */
-    static List<Double> below(double limit, int most, List<Candidate> candidates) {
-        List<Double> sums = new ArrayList<>(sums(limit, candidates));
+    static List<Double> spread(NavigableSet<Double> sums, double limit, int most) {
         if (sums.size() <= most) {
-            return sums;
+            return List.copyOf(sums);
         }
         TreeSet<Double> chosen = new TreeSet<>();
         for (int step = 1; step <= most; step++) {
@@ -32,16 +35,54 @@ final class BudgetSteps {
             chosen.add(sums.stream()
                     .filter(sum -> sum <= even)
                     .reduce((one, other) -> other)
-                    .orElse(even));
+                    .orElseGet(sums::first));
         }
         return List.copyOf(chosen);
     }
 
-    /** All sums of prices; none if there are too many. */
-    private static TreeSet<Double> sums(double limit, List<Candidate> candidates) {
+    /**
+     * Further budgets, each in the middle of what is then the widest interval that has any sum inside.
+     *
+     * @param sums of prices
+     * @param had the budgets between which they lie, in any order
+     * @param most greatest number of them
+     */
+    static List<Double> between(NavigableSet<Double> sums, Collection<Double> had, int most) {
+        TreeSet<Double> ends = new TreeSet<>(had);
+        List<Double> further = new ArrayList<>();
+        while (further.size() < most) {
+            double widest = 0.0;
+            double middle = Double.NaN;
+            for (double low : ends) {
+                Double high = ends.higher(low);
+                NavigableSet<Double> inside = high == null ? new TreeSet<>() : sums.subSet(low, false, high, false);
+                if (!inside.isEmpty() && high - low > widest) {
+                    widest = high - low;
+                    double even = 0.5 * (low + high);
+                    middle = inside.stream()
+                            .min(Comparator.comparingDouble(sum -> Math.abs(sum - even)))
+                            .orElseThrow();
+                }
+            }
+            if (Double.isNaN(middle)) {
+                return further;
+            }
+            ends.add(middle);
+            further.add(middle);
+        }
+        return further;
+    }
+
+    /** Whether all sums of prices are listed. */
+    static boolean isWhole(NavigableSet<Double> sums) {
+        return sums.size() <= MOST_SUMS;
+    }
+
+    /** All sums of prices below a limit; if there are too many, those of some of the candidates. */
+    static NavigableSet<Double> sums(double limit, List<Candidate> candidates) {
         TreeSet<Double> sums = new TreeSet<>(List.of(0.0));
         for (Candidate candidate : candidates) {
-            if (!candidate.fixed() && sums.size() <= MOST_SUMS) {
+            if (!candidate.fixed() && isWhole(sums)) {
                 for (double sum : List.copyOf(sums.descendingSet())) {
                     double more = Math.rint((sum + candidate.cost()) / UNIT) * UNIT;
                     if (more < limit - UNIT) {

@@ -4,10 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.IntConsumer;
 import org.dronewatch.placement.SolverLimits;
-import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * Finds the best layouts for lower budgets, which show what more money buys.
@@ -31,37 +29,26 @@ public final class FrontSearch<L extends PlacedLayout> {
      * Finds a layout for each budget on the {@link org.dronewatch.parallel.Workers} of the calling thread; the result
      * does not depend on their number.
      *
-     * @param budgets maximum number of budgets, including the whole budget, 1 to {@link #MOST}
+     * @param budgets maximum number of budgets, including the whole budget, 1 to {@link #MOST}: those for which no
+     *     layout complies with the conditions do not count
      * @param progress receives 1 for each budget; from any thread
      */
     public BudgetFront<L> found(int budgets, SolverLimits limits, IntConsumer progress) {
-        List<Double> lower = BudgetSteps.below(
-                best.result().cost(),
-                budgets - 1,
-                best.plan().candidates().stream().map(SiteCandidate::candidate).toList());
-        AtomicReferenceArray<L> results = new AtomicReferenceArray<>(lower.size());
+        BudgetTrials<L> trials = new BudgetTrials<>(layouts, limits, progress);
         boolean isWhole = best.complete();
         try {
-            layouts.forEach(isWhole ? lower.size() : 0, at -> {
-                layouts.within(lower.get(at), limits).ifPresent(layout -> results.set(at, layout));
-                progress.accept(1);
-            });
+            if (isWhole) {
+                trials.run(budgets - 1);
+            }
         } catch (CancellationException e) {
             isWhole = false;
         }
-        List<L> found = new ArrayList<>();
-        List<Double> asked = new ArrayList<>();
-        for (int at = 0; at < lower.size(); at++) {
-            L layout = results.get(at);
-            if (layout != null) {
-                found.add(layout);
-                asked.add(lower.get(at));
-                isWhole &= layout.complete();
-            }
-        }
+        List<L> found = new ArrayList<>(trials.found().values());
+        List<Double> asked = new ArrayList<>(trials.found().keySet());
+        isWhole &= !trials.isStopped() && found.stream().allMatch(PlacedLayout::complete);
         found.add(best);
         asked.add(best.plan().settings().budget());
-        return new BudgetFront<>(points(bounded(found), asked), isWhole);
+        return new BudgetFront<>(points(bounded(found), asked), trials.tried(), isWhole);
     }
 
     /** A bound for more money holds for less, too. */

@@ -41,7 +41,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
         List<String> lines = new ArrayList<>(new PlaceTable(best(), measure()).lines());
         lines.add("");
         lines.addAll(new CoverageSentences(this).lines());
-        lines.addAll(new FrontWords(measure()).lines(front.points()));
+        lines.addAll(new FrontWords(measure()).lines(front));
         fields.ifPresent(its -> {
             lines.add("");
             lines.addAll(FieldsTable.lines(its, best()));

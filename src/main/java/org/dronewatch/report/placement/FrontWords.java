@@ -2,9 +2,13 @@ package org.dronewatch.report.placement;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.placement.site.TriedBudgets;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.setting.Counted;
 
 /** What more money buys, in a line for each step. */
 final class FrontWords {
@@ -23,10 +27,12 @@ final class FrontWords {
         this.measure = measure;
     }
 
-    /** A table after an empty line; nothing if there is only one layout. */
-    List<String> lines(List<? extends FrontPoint<? extends PlacedLayout>> points) {
+    /** A table after an empty line, and what was tried besides; no table if there is only one layout. */
+    List<String> lines(BudgetFront<? extends PlacedLayout> front) {
         List<String> lines = new ArrayList<>();
+        List<? extends FrontPoint<? extends PlacedLayout>> points = front.points();
         if (points.size() < 2) {
+            infeasible(front.tried()).ifPresent(lines::add);
             return lines;
         }
         lines.add("");
@@ -43,7 +49,27 @@ final class FrontWords {
                     change(point)));
             before = point.cost();
         }
+        lines.addAll(tried(front.tried()));
         return lines;
+    }
+
+    /** What was tried besides the layouts of the table, in sentences. */
+    List<String> tried(TriedBudgets tried) {
+        List<String> sentences = new ArrayList<>();
+        if (!tried.all()) {
+            sentences.add(
+                    Counted.of(tried.count(), "budget") + " were tried: a better buy may lie between two of them.");
+        }
+        infeasible(tried).ifPresent(sentences::add);
+        return sentences;
+    }
+
+    /** The budgets that are too low for the conditions, in a sentence; empty if there are none. */
+    Optional<String> infeasible(TriedBudgets tried) {
+        return tried.infeasible().isEmpty()
+                ? Optional.empty()
+                : Optional.of("No layout complies with the conditions for these budgets, which were also tried: "
+                        + list(tried.infeasible().stream().map(Numbers::text).toList()) + ".");
     }
 
     /** {@code radar-2 in place of radio-1; closes the west at 30 to 60 m (12.0 % before, 98.1 % now)}. */

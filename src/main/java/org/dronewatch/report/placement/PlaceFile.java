@@ -8,6 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.placement.site.TriedBudgets;
 import org.dronewatch.report.file.Numbers;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -54,9 +55,17 @@ final class PlaceFile {
             ArrayNode added = node.putArray("added");
             point.added().forEach(added::add);
         }
+        tried(root.putObject("budgets"), results.front().tried());
         more.accept(root);
         root.put("complete", results.complete());
         return root;
+    }
+
+    private static void tried(ObjectNode budgets, TriedBudgets tried) {
+        budgets.put("tried", tried.count());
+        budgets.put("all", tried.all());
+        ArrayNode infeasible = budgets.putArray("infeasible");
+        tried.infeasible().forEach(budget -> infeasible.add(Numbers.rounded(budget)));
     }
 
     /** Adds the value of a layout in the scene as it is and under each condition, if there are any. */

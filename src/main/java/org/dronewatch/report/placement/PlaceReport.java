@@ -161,7 +161,10 @@ final class PlaceReport {
                                 + " bound. 'Change' states what is bought, and where most is gained, as seen from the"
                                 + " middle of the area.")
                 + Html.table(
-                        List.of(words.priced("cost"), "added cost", measure.heading(), "upper bound", "change"), rows);
+                        List.of(words.priced("cost"), "added cost", measure.heading(), "upper bound", "change"), rows)
+                + front.tried(results.front().tried()).stream()
+                        .map(sentence -> Html.plain("p", sentence))
+                        .collect(Collectors.joining());
     }
 
     /** Those of the pictures whose file has such a name, with their captions. */

@@ -47,7 +47,7 @@ public record RoutePlaceResults(
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
-        lines.addAll(new FrontWords(measure()).lines(front.points()));
+        lines.addAll(new FrontWords(measure()).lines(front));
         layout.ifPresent(flown -> lines.addAll(new FlownTable(flown, present, best()).lines()));
         return lines;
     }

@@ -49,7 +49,7 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
-        lines.addAll(new FrontWords(measure()).lines(front.points()));
+        lines.addAll(new FrontWords(measure()).lines(front));
         double covered = best().plan().settings().air().covered();
         warnings.ifPresent(its -> {
             lines.add("");

@@ -14,6 +14,7 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.FrontPoint;
+import org.dronewatch.placement.site.TriedBudgets;
 import org.dronewatch.report.placement.RoutePlaceResults;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -98,8 +99,9 @@ class WeakestRouteWeathersTest {
     /** The printed lines and place.json state the value under each condition. */
     private static void assertStated(RoutePlacement placement) {
         FrontPoint<RoutePlacement> point = new FrontPoint<>(2.0, placement, List.of(), List.of(), Optional.empty());
-        RoutePlaceResults results =
-                new RoutePlaceResults(new BudgetFront<>(List.of(point), true), Optional.empty(), Optional.empty());
+        TriedBudgets tried = new TriedBudgets(1, List.of(), true);
+        RoutePlaceResults results = new RoutePlaceResults(
+                new BudgetFront<>(List.of(point), tried, true), Optional.empty(), Optional.empty());
         JsonNode json = results.toJson();
 
         assertThat(results.lines())

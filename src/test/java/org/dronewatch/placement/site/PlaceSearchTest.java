@@ -101,8 +101,9 @@ class PlaceSearchTest {
         BudgetFront<SitePlacement> front = new FrontSearch<>(new CheaperCoverage(whole, cells, new ExactSolver()))
                 .found(budgets, SolverLimits.NONE, some -> {});
         countAll(plan, whole);
-        List<Double> asked = BudgetSteps.below(
-                whole.result().cost(), budgets - 1, whole.problem().table().candidates());
+        double cost = whole.result().cost();
+        List<Double> asked = BudgetSteps.spread(
+                BudgetSteps.sums(cost, whole.problem().table().candidates()), cost, budgets - 1);
         List<Double> bests = new ArrayList<>();
         for (double limit : asked) {
             double best = bestOfAll(plan, limit);

@@ -1,0 +1,96 @@
+package org.dronewatch.placement.site;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import org.dronewatch.analysis.layer.LayerStore;
+import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.solver.ExactSolver;
+import org.dronewatch.report.placement.CoveragePlaceResults;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Budgets that are too low for the conditions do not take the place of others. */
+class BudgetTrialsTest {
+    @TempDir
+    private Path directory;
+
+    private SitePlacement whole;
+    private BudgetFront<SitePlacement> front;
+
+    private void search(String lines, int budgets) throws IOException {
+        PlacePlan plan = PlacePlan.read(PlacedSite.in(directory, lines), runner -> {}, note -> {});
+        CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
+        whole = new PlaceSearch(plan, cells, new ExactSolver()).found(SolverLimits.NONE, some -> {}, () -> {});
+        front = new FrontSearch<>(new CheaperCoverage(whole, cells, new ExactSolver()))
+                .found(budgets, SolverLimits.NONE, some -> {});
+    }
+
+    /** The cheapest of all choices that comply is on the front, and from there on each budget that buys more. */
+    @Test
+    void fromTheCheapestLayoutThatCompliesNoneIsMissing() throws IOException {
+        search("budget: 9\nconditions: {anyoneLost: {atLeast: 0.3}}\n", FrontSearch.MOST);
+        PlacementProblem problem = whole.problem();
+        TreeSet<Double> costs = new TreeSet<>();
+        List<List<Integer>> allowed = new ArrayList<>();
+        for (int choice = 0; choice < 1 << problem.table().size(); choice++) {
+            int set = choice;
+            List<Integer> chosen = IntStream.range(0, problem.table().size())
+                    .filter(one -> (set >> one & 1) == 1)
+                    .boxed()
+                    .toList();
+            if (problem.isAllowed(chosen)) {
+                costs.add(problem.cost(chosen));
+                allowed.add(chosen);
+            }
+        }
+        List<Double> bests = new ArrayList<>();
+        for (double limit : costs.headSet(whole.result().cost(), true)) {
+            double best = allowed.stream()
+                    .filter(chosen -> problem.cost(chosen) <= limit)
+                    .mapToDouble(problem::value)
+                    .max()
+                    .orElseThrow();
+            if (bests.isEmpty() || best > bests.get(bests.size() - 1)) {
+                bests.add(best);
+            }
+        }
+
+        assertThat(front.points()).hasSameSizeAs(bests).hasSizeGreaterThan(1);
+        for (int at = 0; at < bests.size(); at++) {
+            assertThat(front.points().get(at).layout().result().value()).isCloseTo(bests.get(at), within(1e-9));
+        }
+        assertThat(front.points().get(0).cost()).isEqualTo(costs.first());
+        assertThat(front.tried().all()).isTrue();
+        assertThat(front.tried().infeasible()).isNotEmpty().isSorted().allMatch(budget -> budget < costs.first());
+    }
+
+    /** As many budgets with a layout are tried as were allowed, and the results name those without one. */
+    @ParameterizedTest
+    @CsvSource({"9, 0.3, 4", "9, 0.25, 4"})
+    void budgetsThatAreTooLowDoNotCount(double budget, double remaining, int budgets) throws IOException {
+        search("budget: " + budget + "\nconditions: {anyoneLost: {atLeast: " + remaining + "}}\n", budgets);
+        TriedBudgets tried = front.tried();
+        CoveragePlaceResults results = new CoveragePlaceResults(front, Optional.empty());
+
+        assertThat(tried.infeasible()).isNotEmpty();
+        assertThat(tried.count() - tried.infeasible().size()).isEqualTo(budgets);
+        assertThat(tried.all()).isFalse();
+        assertThat(results.lines())
+                .contains(tried.count() + " budgets were tried: a better buy may lie between two of them.")
+                .anyMatch(line -> line.startsWith("No layout complies with the conditions for these budgets"));
+        assertThat(results.toJson().get("budgets").get("infeasible"))
+                .hasSize(tried.infeasible().size());
+    }
+}
