@@ -48,8 +48,7 @@ record FreeSight(World world, Drone drone, String sensor, long seed) {
         return range -> {
             Drone there = comingFrom(settings.position(), axis, range);
             Look look = Look.of(seed, sensor, 0, 0.0).withPointing(Mounted.turnedTo(level, there.origin()));
-            return assessor.assess(there, look.pointing(), look.random(drone.id(), RaySensor.RAYS))
-                    .probability();
+            return assessor.probability(there, look.pointing(), look.random(drone.id(), RaySensor.RAYS));
         };
     }
 

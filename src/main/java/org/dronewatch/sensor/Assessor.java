@@ -59,6 +59,16 @@ public final class Assessor {
     }
 
     /**
+     * The probability of {@link #assess(Drone, Optional, RandomGenerator)}, without the reason for a miss, which takes
+     * as long to find.
+     */
+    public double probability(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
+        return sensor instanceof AssessableSensor assessable
+                ? assessable.signal(world, drone, pointing, rayRandom).probability()
+                : assessAsIfKnown(drone, pointing, rayRandom).probability();
+    }
+
+    /**
      * As {@link AssessableSensor#assessCoarsely} in this assessor's world; {@link Cause#UNKNOWN} as in
      * {@link #assess(Drone, Optional, RandomGenerator)}.
      */

@@ -1,5 +1,7 @@
 package org.dronewatch.sensor;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -109,9 +111,13 @@ public final class Walls {
                 .at(new FlightState(place, velocity, 0.0));
     }
 
-    /** What a sensor that draws no rays makes of a drone. */
+    /** What a sensor that draws no rays makes of a drone; its probability is the same without a reason for a miss. */
     public static Assessment assess(SensorSettings<?> settings, World world, Drone drone) {
-        return new Assessor("sensor", settings, world).assess(drone, Optional.empty(), new SplittableRandom(1));
+        Assessor assessor = new Assessor("sensor", settings, world);
+        double alone = assessor.probability(drone, Optional.empty(), new SplittableRandom(1));
+        Assessment whole = assessor.assess(drone, Optional.empty(), new SplittableRandom(1));
+        assertThat(alone).isEqualTo(whole.probability());
+        return whole;
     }
 
     /** A look of a fresh sensor. */

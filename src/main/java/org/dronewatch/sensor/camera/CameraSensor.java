@@ -96,7 +96,11 @@ public final class CameraSensor implements BoundingSensor {
     @Override
     public Signal signal(World site, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom) {
         turn(site, where);
-        picture.draw(world, List.of(drone));
+        return signal(drone, pixels -> false);
+    }
+
+    private Signal signal(Drone drone, IntPredicate enough) {
+        picture.draw(world, drone, enough);
         return signal(view(drone, picture.pixels(0)));
     }
 
@@ -117,9 +121,8 @@ public final class CameraSensor implements BoundingSensor {
     }
 
     private Assessment assess(Drone drone, IntPredicate enough) {
-        picture.draw(world, drone, enough);
+        Signal signal = signal(drone, enough);
         int pixels = picture.pixels(0);
-        Signal signal = signal(view(drone, pixels));
         return new Assessment(
                 signal, signal.isDetected() ? Explanation.DETECTED : explainMiss(drone, () -> pixels > 0));
     }
