@@ -109,6 +109,23 @@ public record SectorRoute(
                 .orElse(false);
     }
 
+    /**
+     * Whether the search and the flight disagree by more than 20 percentage points on the probability of any detection,
+     * but not on that of one that is early enough for a response: only on detections that come too late, then.
+     *
+     * @param response time that the response takes, s; 0 if none is required
+     */
+    public boolean isMisjudgedTooLate(double response) {
+        return response > 0.0 && !isMisjudged(response) && Math.abs(detection() - searched.detection()) > MISJUDGED;
+    }
+
+    /** Whether they disagree on the probability of any detection mostly because a slow sensor looks too rarely. */
+    public boolean isMisjudgedTooLateForScans() {
+        return flown.map(looks -> looks.detectionByFastLooks(Double.POSITIVE_INFINITY) - detection())
+                .map(more -> more > 0.5 * Math.abs(searched.detection() - detection()))
+                .orElse(false);
+    }
+
     /** Whether a step from one probability to another is much of the step from the search to the flight. */
     private boolean explains(double from, double to, double response) {
         return Math.abs(to - from) > MISJUDGED / 2

@@ -1,5 +1,7 @@
 package org.dronewatch.report.route;
 
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
 import java.util.List;
 import java.util.Optional;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -51,6 +53,22 @@ public record RouteInputs(
     /** The time that a response takes, 0 if none is required, s. */
     double response() {
         return settings.alert().response();
+    }
+
+    /** Where the search looks for routes, {@code in cells of 15 m, 10 to 150 m above the ground}. */
+    String cellsInWords() {
+        return "in cells of " + number(grid.cell()) + " m, " + heightsInWords() + " above the ground";
+    }
+
+    private String heightsInWords() {
+        String lowest = number(lowest());
+        String highest = number(grid.heights().get(grid.heights().size() - 1));
+        return (lowest.equals(highest) ? lowest : lowest + " to " + highest) + " m";
+    }
+
+    /** The least height above the ground at which the search looks for routes, m. */
+    double lowest() {
+        return grid.heights().get(0);
     }
 
     /** What the routes lead to. */

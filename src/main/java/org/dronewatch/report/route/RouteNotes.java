@@ -36,6 +36,7 @@ final class RouteNotes {
                         begins(results.survey()),
                         unproven(results.survey()),
                         unseen(results.between()),
+                        tooLate(results.survey()),
                         withoutAlert(results),
                         cued(results))
                 .flatMap(Optional::stream)
@@ -103,7 +104,32 @@ final class RouteNotes {
                 : Optional.of("Less exposed routes from the " + listed(sectors)
                         + " cannot be ruled out: the lower bound of the exposure allows a detection"
                         + (survey.response() > 0.0 ? " in time" : "")
-                        + " that is more than 20 percentage points less likely. To look for them, try " + finer()
+                        + " that is more than 20 percentage points less likely. To look for them between the middles of cells,"
+                        + " try " + finer() + "; to look for them less than " + number(inputs.lowest())
+                        + " m above the ground, add lower --heights.");
+    }
+
+    /**
+     * Why the columns of the search and of the flights differ where both agree on the detections in time; empty if they
+     * do not differ, or if it is warned that they differ on these, too.
+     */
+    private Optional<String> tooLate(RouteSurvey survey) {
+        List<SectorRoute> routes = survey.routes().stream()
+                .filter(route -> route.isMisjudgedTooLate(survey.response()))
+                .toList();
+        List<SectorRoute> scanned =
+                routes.stream().filter(SectorRoute::isMisjudgedTooLateForScans).toList();
+        return routes.isEmpty()
+                ? Optional.empty()
+                : Optional.of("On the " + (routes.size() == 1 ? "route" : "routes") + " from the "
+                        + listed(routes.stream().map(RouteWords::sector).toList())
+                        + ", 'search' and 'detected' differ by more than 20 percentage points, but only by detections that"
+                        + " come too late: "
+                        + disagreeing(scanned)
+                                .map(sensor -> "the search assumes that '" + PlainText.value(sensor)
+                                        + "' may look at any moment, whereas it looks only every "
+                                        + period(Set.of(sensor)))
+                                .orElse("the search knows only the middle of each cell")
                         + ".");
     }
 

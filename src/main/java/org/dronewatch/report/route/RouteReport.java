@@ -82,16 +82,18 @@ final class RouteReport {
                                 : " before it reaches " + inputs.targetInWords() + ".")
                         + " 'Detected' is the probability that any sensor detects it at all, computed from every look along the route"
                         + " as it is flown; 'search' is the estimate of the search, which knows only the middle of each"
-                        + " cell; 'time left' is the time between the typical (median) first detection and the drone's"
+                        + " cell, and assumes that a sensor may look at any moment; 'time left' is the time between the typical (median) first detection and the drone's"
                         + " arrival"
                         + (results.timely().isEmpty()
                                 ? ""
                                 : "; 'alert in time' is the probability that the scene's rule raises an alert early enough,"
                                         + " where the times of the flight and of the response vary by 30 %")
                         + (RouteWords.mayGlide(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
-                        + ". No route can have less exposure"
-                        + " in the search than the lower bound; an exposure of 1 means a probability of 63 %, one of 3"
-                        + " means 95 %.");
+                        + ". 'Counted exposure' is that "
+                        + (survey.response() > 0.0 ? "of the part of the route on which a detection is in time, " : "")
+                        + "in the cells of the search; no route can have less of it there than the lower bound. An"
+                        + " exposure of 1 means a probability of 63 %, one of 3 means 95 %."
+                        + (survey.response() > 0.0 ? " 'Search' is the probability along the whole route." : ""));
     }
 
     private String table() {
@@ -109,7 +111,7 @@ final class RouteReport {
         if (inputs.stopped().isPresent()) {
             head.add("stopped");
         }
-        head.addAll(List.of("exposure", "lower bound"));
+        head.addAll(List.of("counted exposure", "lower bound"));
         List<List<String>> rows = new ArrayList<>();
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
             Optional<SectorRoute> route = RouteWords.route(sector, survey);
@@ -205,10 +207,8 @@ final class RouteReport {
         List<String> items = new ArrayList<>();
         items.add("The area searched is " + number(inputs.grid().side()) + " m by "
                 + number(inputs.grid().side())
-                + " m in cells of " + number(inputs.grid().cell()) + " m, at heights of "
-                + number(inputs.grid().heights().get(0)) + " to "
-                + number(inputs.grid().heights().get(inputs.grid().heights().size() - 1))
-                + " m above the ground. Routes avoid everything solid, but what hides a drone and is smaller than a cell may"
+                + " m, " + inputs.cellsInWords()
+                + ". Routes avoid everything solid, but what hides a drone and is smaller than a cell may"
                 + " be missed.");
         items.add("Routes begin "
                 + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");

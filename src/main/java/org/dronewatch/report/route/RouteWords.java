@@ -25,7 +25,7 @@ final class RouteWords {
         RouteSurvey survey = results.survey();
         return survey.weakest()
                 .map(route -> "On the weakest route, the drone comes " + from(route, survey) + ": " + detected(route)
-                        + inTime(route, results) + ".")
+                        + inTime(route, results) + ". Routes were searched for " + inputs.cellsInWords() + ".")
                 .orElseGet(() -> survey.routes().isEmpty()
                         ? "No route leads to " + inputs.targetInWords() + "."
                         : "No route is the weakest, because all begin where they end: the area in which they begin is at "

@@ -234,6 +234,53 @@ class RouteWordsTest {
                 .contains("  counted exposure  lower bound  ");
     }
 
+    /** A descent above a radar is found in smaller cells, a route close to the ground only at lower heights. */
+    @Test
+    void whatMayBeFoundElsewhereIsLookedForInSmallerCellsAndLower() {
+        SectorRoute route = route(Map.of("slow", 3.0), 3.0, List.of(List.of(look(10.0, 3.0))));
+        RouteResults results = results(route, Map.of());
+
+        assertThat(new RouteWords(inputs).weakest(results))
+                .endsWith(". Routes were searched for in cells of 20 m, 30 m above the ground.");
+        assertThat(new RouteNotes(inputs).notes(results))
+                .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out")
+                        && note.contains("try --cell 10m")
+                        && note.endsWith("less than 30 m above the ground, add lower --heights."));
+    }
+
+    /** The search expects 95 % along the whole route, but nothing in time, and no look detects the drone at all. */
+    @Test
+    void explainsWhereTheSearchAndTheFlightDifferTooLate() {
+        SectorRoute late = late(List.of(List.of(), List.of()), Map.of("slow", 0.0));
+        SectorRoute some =
+                late(List.of(List.of(look(29.0, 20.0)), List.of(), List.of(), List.of()), Map.of("slow", 0.3));
+
+        assertThat(warning(late)).isEmpty();
+        assertThat(new RouteNotes(inputs).notes(results(late, Map.of())))
+                .contains(
+                        "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"
+                                + " only by detections that come too late: the search knows only the middle of each cell.");
+        assertThat(new RouteNotes(inputs).notes(results(some, Map.of())))
+                .contains(
+                        "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"
+                                + " only by detections that come too late: the search assumes that 'slow' may look at any moment,"
+                                + " whereas it looks only every 5 s.");
+        SectorRoute alike = route(Map.of("slow", 3.0), 3.0, List.of(List.of(look(10.0, 3.0))));
+        assertThat(new RouteNotes(inputs).notes(results(alike, Map.of()))).noneMatch(note -> note.contains("too late"));
+    }
+
+    /** A route on which the search expects no exposure that counts, but one of 3 after that. */
+    private static SectorRoute late(List<List<FlownExposure.Step>> flown, Map<String, Double> bySensor) {
+        SectorRoute all = route(Map.of("slow", 3.0), 3.0, flown);
+        return new SectorRoute(
+                0,
+                new WeakestRoute(all.route().path(), 0, 0, 30),
+                all.searched(),
+                all.bySensor(),
+                Map.of(),
+                Optional.of(new FlownExposure(flown, bySensor)));
+    }
+
     private String warning(SectorRoute route) {
         return String.join(
                 "\n", new RouteNotes(inputs).warnings(results(route, Map.of()).survey()));
