@@ -83,4 +83,16 @@ public record RouteMode(String name, double speed, double climb, double sink, do
         double along = Math.sqrt(horizontal * horizontal + rise * rise) / speed;
         return Math.max(along, rise > 0.0 ? rise / climb : -rise / sink);
     }
+
+    /**
+     * The greatest speed on a straight leg that is not too steep, m/s.
+     *
+     * @param horizontal horizontal length of the leg, m
+     * @param rise height gained from its beginning to its end, m
+     */
+    double greatestSpeed(double horizontal, double rise) {
+        double length = Math.sqrt(horizontal * horizontal + rise * rise);
+        double vertical = rise > 0.0 ? climb : sink;
+        return vertical * length < speed * Math.abs(rise) ? vertical * length / Math.abs(rise) : speed;
+    }
 }

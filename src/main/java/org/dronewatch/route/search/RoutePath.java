@@ -1,5 +1,7 @@
 package org.dronewatch.route.search;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -15,6 +17,12 @@ import org.dronewatch.geometry.Position;
  * @param modes for each leg, the number of the mode in which it is flown
  */
 public record RoutePath(List<Position> points, List<Integer> modes) {
+    /** Of coordinates of a flight in m: as many as in {@code route.json}. */
+    private static final int LENGTH_DECIMALS = 6;
+
+    /** Of speeds of a flight in m/s: the time of an hour's leg is exact to a microsecond. */
+    private static final int SPEED_DECIMALS = 9;
+
     /**
      * Copies the lists.
      *
@@ -39,25 +47,39 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
     }
 
     /**
-     * The flight along this path, each leg in the time that the search assumes.
+     * The flight along this path, each leg in the time that the search assumes. Coordinates are rounded to a
+     * micrometre, speeds to a nanometre per second, so that scene files state them without the rounding errors of the
+     * search.
      *
      * @param of the modes in which the drone may fly, as in the search
      * @return the flight; empty for a path that is shorter than the shortest possible leg
      */
     public Optional<RouteFlight> flight(List<RouteMode> of) {
         List<RouteLeg> legs = new ArrayList<>();
-        Position at = points.get(0);
+        Position first = rounded(points.get(0));
+        Position at = first;
         for (int i = 0; i < modes.size(); i++) {
-            Position to = points.get(i + 1);
+            Position to = rounded(points.get(i + 1));
             double length = at.distance(to);
             if (length >= FlightPathSettings.SHORTEST) {
                 RouteMode mode = of.get(modes.get(i));
-                double time = mode.time(Math.hypot(to.x() - at.x(), to.y() - at.y()), to.z() - at.z());
-                legs.add(new RouteLeg(to, Optional.of(length / time), !mode.isGlide()));
+                double speed = mode.greatestSpeed(Math.hypot(to.x() - at.x(), to.y() - at.y()), to.z() - at.z());
+                legs.add(new RouteLeg(to, Optional.of(rounded(speed, SPEED_DECIMALS)), !mode.isGlide()));
                 at = to;
             }
         }
-        return legs.isEmpty() ? Optional.empty() : Optional.of(RouteFlight.of(points.get(0), legs));
+        return legs.isEmpty() ? Optional.empty() : Optional.of(RouteFlight.of(first, legs));
+    }
+
+    private static Position rounded(Position at) {
+        return new Position(
+                rounded(at.x(), LENGTH_DECIMALS), rounded(at.y(), LENGTH_DECIMALS), rounded(at.z(), LENGTH_DECIMALS));
+    }
+
+    private static double rounded(double value, int decimals) {
+        return BigDecimal.valueOf(value)
+                .setScale(decimals, RoundingMode.HALF_EVEN)
+                .doubleValue();
     }
 
     /** This path, continued by another that begins where it ends. */

@@ -322,4 +322,28 @@ class RouteProofTest {
         assertThat(new RoutePath(List.of(new Position(0, 0, 0)), List.of()).flight(List.of(powered)))
                 .isEmpty();
     }
+
+    /** Rounding errors of the search are not written into scene files, and the legs take as long as in the search. */
+    @Test
+    void aFlightHasShortDecimals() {
+        RouteMode powered = new RouteMode("powered", 15.0, 3.0, 1.5, Double.POSITIVE_INFINITY);
+        RoutePath path = new RoutePath(
+                List.of(
+                        new Position(549.4499999999999, -105.44999999999993, 0.1 + 0.2),
+                        new Position(100.0 / 3.0, 7.0, 0.3),
+                        new Position(30.0, 7.0, 20.0 / 3.0)),
+                List.of(0, 0));
+        RouteFlight flight = path.flight(List.of(powered)).orElseThrow();
+
+        assertThat(flight.from()).isEqualTo(new Position(549.45, -105.45, 0.3));
+        assertThat(flight.legs())
+                .extracting(RouteLeg::to)
+                .containsExactly(new Position(33.333333, 7.0, 0.3), new Position(30.0, 7.0, 6.666667));
+        assertThat(flight.legs().get(0).speed()).hasValue(15.0);
+        assertThat(flight.legs().get(1).speed().orElseThrow())
+                .isCloseTo(3.0 * Math.hypot(1.0, 3.3333333 / 6.3666667), within(1e-6));
+        assertThat(Double.toString(flight.legs().get(1).speed().orElseThrow())).hasSizeLessThanOrEqualTo(11);
+        double time = path.points().get(0).distance(path.points().get(1)) / 15.0 + (20.0 / 3.0 - 0.3) / 3.0;
+        assertThat(flight.duration(99.0)).isCloseTo(time, within(1e-6));
+    }
 }
