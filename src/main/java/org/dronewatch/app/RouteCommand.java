@@ -191,8 +191,10 @@ final class RouteCommand implements Callable<Integer> {
         if (!results.isComplete()) {
             spec.commandLine()
                     .getErr()
-                    .println("interrupted: not all directions were "
-                            + (results.survey().isComplete() ? "flown" : "searched"));
+                    .println("interrupted: "
+                            + (results.survey().isComplete()
+                                    ? "there are routes from all directions, but not all searches and flights are complete"
+                                    : "not all directions were searched"));
         }
     }
 }
