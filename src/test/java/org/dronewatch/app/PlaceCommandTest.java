@@ -9,6 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -62,6 +65,8 @@ class PlaceCommandTest {
                         "present",
                         "front",
                         "budgets",
+                        "worst_heading",
+                        "heights",
                         "complete");
         assertThat(json.get("objective").asString()).isEqualTo("coverage");
         assertThat(json.get("complete").asBoolean()).isTrue();
@@ -77,15 +82,55 @@ class PlaceCommandTest {
         assertThat(last.get("value").asDouble()).isCloseTo(json.get("value").asDouble(), within(1e-9));
         assertThat(last.get("cost").asDouble()).isEqualTo(json.get("cost").asDouble());
         for (int step = 0; step < front.size(); step++) {
-            assertThat(front.get(step).propertyNames()).containsExactly("cost", "value", "added");
+            assertThat(front.get(step).propertyNames())
+                    .containsExactly("cost", "budget", "value", "bound", "gap", "added", "removed");
             assertThat(front.get(step).get("added").size()).isPositive();
         }
+        // Beginning with the sensor that is kept, the steps lead to the layout.
+        Set<String> names = new TreeSet<>(Set.of("round"));
+        for (JsonNode step : front) {
+            assertThat(step.get("bound").asDouble())
+                    .isGreaterThanOrEqualTo(step.get("value").asDouble());
+            step.get("removed").forEach(one -> names.remove(one.asString()));
+            step.get("added").forEach(one -> names.add(one.asString()));
+        }
+        Set<String> chosen = new TreeSet<>();
+        json.get("chosen").forEach(one -> chosen.add(one.get("sensor").asString()));
+        assertThat(names).isEqualTo(chosen);
         for (int step = 1; step < front.size(); step++) {
             for (String key : List.of("cost", "value")) {
                 assertThat(front.get(step).get(key).asDouble())
                         .isGreaterThan(front.get(step - 1).get(key).asDouble());
             }
         }
+    }
+
+    /** The figures of the third table, and of the sentence above the tables. */
+    @Test
+    void theFileStatesTheCoverageAtEachHeight() {
+        assertThat(outcome.out())
+                .contains("On the heading that is worst in each cell, the layout covers "
+                        + percent(json.get("worst_heading")) + " %");
+        assertThat(json.get("heights")).hasSize(2);
+        for (JsonNode height : json.get("heights")) {
+            JsonNode layout = height.get("layout");
+            JsonNode present = height.get("present");
+            assertThat(outcome.out())
+                    .containsPattern(" " + height.get("height_m").asInt() + " m +"
+                            + percent(present.get("covered_share")) + " +" + percent(layout.get("covered_share"))
+                            + " +" + percent(present.get("after_loss_share")) + " +"
+                            + percent(layout.get("after_loss_share")) + " +" + hectares(present) + " +"
+                            + hectares(layout) + "\n");
+        }
+    }
+
+    private static String percent(JsonNode share) {
+        return String.format(Locale.ROOT, "%.1f", 100.0 * share.asDouble());
+    }
+
+    private static String hectares(JsonNode layout) {
+        return String.format(
+                Locale.ROOT, "%.1f", 1e-4 * layout.get("largest_gap_m2").asDouble());
     }
 
     @Test

@@ -43,9 +43,17 @@ public interface PlacedLayout {
 
     /**
      * The best order in which to buy the sensors, after those that are kept: at each step, the one that adds the most
-     * for its price. Empty if it was not computed.
+     * for its price; or the order {@linkplain #isOrderedBackwards found from its end}. Empty if it was not computed.
      */
     List<PlaceStep> purchases();
+
+    /**
+     * Whether the order in which to buy was found by leaving out, at each step, the sensor whose loss is least for its
+     * price: where several sensors must detect the drone, the first of them are worth nothing by themselves.
+     */
+    default boolean isOrderedBackwards() {
+        return plan().settings().conditions().fold() > 1;
+    }
 
     /** The value of the layout under each condition, by name; empty if only the scene as it is counts. */
     default Map<String, Double> byCondition() {

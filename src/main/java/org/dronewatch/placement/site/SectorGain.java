@@ -15,8 +15,11 @@ public record SectorGain(double bearing, double lowest, double highest, double b
     /** A part of which this fraction is covered, or a route with this probability of a detection, counts as closed. */
     private static final double CLOSED = 0.95;
 
+    /** What is covered or detected as rarely as this counts as a gap. */
+    private static final double OPEN = 0.8;
+
     /** Whether the layout leaves hardly any gap where the other one leaves one; for fractions and probabilities. */
     public boolean isClosed() {
-        return after >= CLOSED && before < CLOSED;
+        return after >= CLOSED && before < OPEN;
     }
 }

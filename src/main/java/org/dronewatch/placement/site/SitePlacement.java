@@ -106,16 +106,31 @@ public record SitePlacement(
         return remaining;
     }
 
-    /**
-     * The best order in which to buy the sensors of the layout, after those that are kept: at each step, the one that
-     * adds the most for its price.
-     */
     @Override
     public List<PlaceStep> purchases() {
         List<Integer> bought = new ArrayList<>(FrontSearch.kept(this));
+        List<PlaceStep> steps = new ArrayList<>();
+        for (Integer next : isOrderedBackwards() ? backwards(bought) : forwards(bought)) {
+            bought.add(next);
+            steps.add(new PlaceStep(
+                    plan.candidates().get(next).name(), problem.cost(bought), problem.value(bought) / rows));
+        }
+        return steps;
+    }
+
+    private List<Integer> backwards(List<Integer> kept) {
+        return BuyingOrder.backwards(
+                kept,
+                result.chosen(),
+                number -> plan.candidates().get(number).candidate().cost(),
+                problem::value);
+    }
+
+    private List<Integer> forwards(List<Integer> kept) {
+        List<Integer> bought = new ArrayList<>(kept);
         List<Integer> left = new ArrayList<>(result.chosen());
         left.removeAll(bought);
-        List<PlaceStep> steps = new ArrayList<>();
+        List<Integer> order = new ArrayList<>();
         while (!left.isEmpty()) {
             double before = problem.value(bought);
             Integer next = left.stream()
@@ -124,10 +139,9 @@ public record SitePlacement(
                     .orElseThrow();
             left.remove(next);
             bought.add(next);
-            steps.add(new PlaceStep(
-                    plan.candidates().get(next).name(), problem.cost(bought), problem.value(bought) / rows));
+            order.add(next);
         }
-        return steps;
+        return order;
     }
 
     private double gained(int number, List<Integer> bought, double before) {

@@ -162,17 +162,31 @@ public record WarningPlacement(
         return remaining;
     }
 
-    /**
-     * The best order in which to buy the sensors of the layout, after those that are kept: at each step, the one that
-     * adds the most for its price or, where none lengthens the shortest warning, the one that gives the most warnings
-     * for its price.
-     */
     @Override
     public List<PlaceStep> purchases() {
         List<Integer> bought = new ArrayList<>(FrontSearch.kept(this));
+        List<PlaceStep> steps = new ArrayList<>();
+        for (Integer next : isOrderedBackwards() ? backwards(bought) : forwards(bought)) {
+            bought.add(next);
+            steps.add(new PlaceStep(plan.candidates().get(next).name(), problem.cost(bought), warning(bought)));
+        }
+        return steps;
+    }
+
+    private List<Integer> backwards(List<Integer> kept) {
+        return BuyingOrder.backwards(
+                kept,
+                result.chosen(),
+                number -> plan.candidates().get(number).candidate().cost(),
+                this::warning);
+    }
+
+    /** Where none lengthens the shortest warning, next is the one that gives the most warnings for its price. */
+    private List<Integer> forwards(List<Integer> kept) {
+        List<Integer> bought = new ArrayList<>(kept);
         List<Integer> left = new ArrayList<>(result.chosen());
         left.removeAll(bought);
-        List<PlaceStep> steps = new ArrayList<>();
+        List<Integer> order = new ArrayList<>();
         while (!left.isEmpty()) {
             double before = warning(bought);
             Integer next = left.stream()
@@ -184,9 +198,9 @@ public record WarningPlacement(
                     .orElseThrow();
             left.remove(next);
             bought.add(next);
-            steps.add(new PlaceStep(plan.candidates().get(next).name(), problem.cost(bought), warning(bought)));
+            order.add(next);
         }
-        return steps;
+        return order;
     }
 
     private static List<Integer> with(List<Integer> bought, Integer number) {

@@ -43,6 +43,7 @@ final class CoverageChapter {
     }
 
     private String byHeight(LayoutFields fields) {
+        int fold = best.plan().settings().conditions().fold();
         List<List<String>> rows = new ArrayList<>();
         for (int height = 0; height < fields.layout().heights().size(); height++) {
             HeightSummary its = fields.layout().heights().get(height);
@@ -59,10 +60,13 @@ final class CoverageChapter {
         }
         return Html.plain(
                         "p",
-                        "The table states the coverage" + FieldsTable.heading(fields)
+                        "The table states the coverage" + FieldsTable.byOne(fold) + FieldsTable.heading(fields)
                                 + ", in % of the known area at each height; the same after the loss of the sensor that"
                                 + " matters most there; and the largest gap. "
-                                + FieldsTable.worstPlace(fields.layout()))
+                                + FieldsTable.worstPlace(fields.layout())
+                                + FieldsTable.difference(fold)
+                                        .map(sentence -> " " + sentence)
+                                        .orElse(""))
                 + Html.table(head, rows)
                 + Html.plain(
                         "p",

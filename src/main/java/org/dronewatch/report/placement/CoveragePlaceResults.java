@@ -51,7 +51,11 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
 
     @Override
     public ObjectNode toJson() {
-        return PlaceFile.of(this, terms -> {}, PlaceFile.conditions(best()), more -> {});
+        return PlaceFile.of(this, terms -> {}, PlaceFile.conditions(best()), this::addFields);
+    }
+
+    private void addFields(ObjectNode root) {
+        FieldsFile.add(root, fields, best().plan().settings().conditions().fold());
     }
 
     @Override

@@ -38,7 +38,8 @@ final class CoverageSentences {
             return "All figures are for flight towards the protected zone.";
         }
         return "On the heading that is worst in each cell, the layout covers "
-                + FrontWords.percent(LayoutFields.share(fields.layout(), fold)) + " of the known cells.";
+                + FrontWords.percent(LayoutFields.share(fields.layout(), fold)) + " of the known cells"
+                + (fold > 1 ? " with " + fold + " sensors or more." : ".");
     }
 
     private String worth() {
@@ -60,7 +61,8 @@ final class CoverageSentences {
                 .map(fields -> {
                     HeightSummary least = leastCovered(fields);
                     return "With all its sensors, the layout covers least at " + PlaceTable.text("%.0f", least.height())
-                            + " m above the ground:"
+                            + " m above the ground"
+                            + FieldsTable.byOne(fold) + ":"
                             + (best.headings() > 1 ? " on the heading that is worst in each cell, " : " ")
                             + new HeightFigures(least).covered() + " %.";
                 })

@@ -60,11 +60,11 @@ record DetectionMeasure() implements PlaceMeasure {
     }
 
     @Override
-    public String gained(SectorGain gain) {
+    public String gained(SectorGain gain, boolean isFirst) {
         String from = CompassPoint.of(gain.bearing());
         return (gain.isClosed()
                         ? "closes the gap in the " + from
                         : "detection on the weakest route, from the " + from + ", rises")
-                + " (" + FrontWords.percent(gain.before()) + " before, " + FrontWords.percent(gain.after()) + " now)";
+                + FrontWords.change(isFirst, FrontWords.percent(gain.before()), FrontWords.percent(gain.after()));
     }
 }

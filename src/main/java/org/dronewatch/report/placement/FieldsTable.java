@@ -26,7 +26,8 @@ final class FieldsTable {
     /** A table, the largest gap of the layout in a sentence, and how to assess it again. */
     static List<String> lines(LayoutFields fields, SitePlacement placement) {
         List<String> lines = new ArrayList<>();
-        lines.add("coverage" + heading(fields)
+        int fold = placement.plan().settings().conditions().fold();
+        lines.add("coverage" + byOne(fold) + heading(fields)
                 + ", in % of the known cells, also after the worst loss of a sensor, and the" + " largest gap in ha:");
         lines.add(PlaceTable.text(ROW, "", "covered", "", "after loss", "", "gap", ""));
         lines.add(PlaceTable.text(ROW, "height", "today", "layout", "today", "layout", "today", "layout"));
@@ -34,6 +35,7 @@ final class FieldsTable {
             lines.add(row(fields, height));
         }
         lines.add(worstPlace(fields.layout()));
+        difference(fold).ifPresent(lines::add);
         lines.add("'coverage layout.yaml " + SameCoverage.options(placement) + "' gives the figures of the layout.");
         return lines;
     }
@@ -51,6 +53,19 @@ final class FieldsTable {
                 layout.afterWorstLoss(),
                 today.map(HeightFigures::largestGap).orElse(HeightFigures.NONE),
                 layout.largestGap());
+    }
+
+    /** {@code by one sensor or more}, with a space before it; an empty text where that is all that counts. */
+    static String byOne(int fold) {
+        return fold > 1 ? " by one sensor or more" : "";
+    }
+
+    /** That the layout was chosen for what several sensors cover, and the table counts otherwise; if that is so. */
+    static Optional<String> difference(int fold) {
+        return fold > 1
+                ? Optional.of("The coverage by height is that by one sensor or more; the layout was chosen for what "
+                        + fold + " sensors or more cover.")
+                : Optional.empty();
     }
 
     /** {@code on the heading that is worst in each cell}, with a space before it. */

@@ -38,9 +38,7 @@ final class PlaceFile {
                         .toLowerCase(Locale.ROOT)
                         .replace('_', '-'));
         terms.accept(root);
-        root.put("value", Numbers.rounded(layout.value()));
-        root.put("bound", Numbers.rounded(layout.bound()));
-        root.put("gap", Double.isFinite(layout.gap()) ? Numbers.rounded(layout.gap()) : null);
+        addWorth(root, layout);
         root.put("cost", Numbers.rounded(layout.result().cost()));
         values.accept(root);
         ArrayNode chosen = root.putArray("chosen");
@@ -51,14 +49,23 @@ final class PlaceFile {
         for (FrontPoint<? extends PlacedLayout> point : results.front().points()) {
             ObjectNode node = front.addObject();
             node.put("cost", Numbers.rounded(point.cost()));
-            node.put("value", Numbers.rounded(point.layout().value()));
+            node.put("budget", Numbers.rounded(point.budget()));
+            addWorth(node, point.layout());
             ArrayNode added = node.putArray("added");
             point.added().forEach(added::add);
+            ArrayNode removed = node.putArray("removed");
+            point.removed().forEach(removed::add);
         }
         tried(root.putObject("budgets"), results.front().tried());
         more.accept(root);
         root.put("complete", results.complete());
         return root;
+    }
+
+    private static void addWorth(ObjectNode node, PlacedLayout layout) {
+        node.put("value", Numbers.rounded(layout.value()));
+        node.put("bound", Numbers.rounded(layout.bound()));
+        node.put("gap", Double.isFinite(layout.gap()) ? Numbers.rounded(layout.gap()) : null);
     }
 
     private static void tried(ObjectNode budgets, TriedBudgets tried) {

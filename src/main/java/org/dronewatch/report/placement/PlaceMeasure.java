@@ -39,6 +39,10 @@ public interface PlaceMeasure {
     /** A sentence that explains the columns 'alone' and 'together'. */
     String columns();
 
-    /** Where a layout gains most over another: {@code adds most in the west at 30 m (56.5 % before, 93.3 % now)}. */
-    String gained(SectorGain gain);
+    /**
+     * Where a layout gains most over another: {@code adds most in the west at 30 m (56.5 % before, 93.3 % now)}.
+     *
+     * @param isFirst whether there is no other layout but the sensors that are kept
+     */
+    String gained(SectorGain gain, boolean isFirst);
 }

@@ -121,12 +121,16 @@ final class PlaceReport {
                     PlaceWords.money(step.cost()),
                     measure.text(step.value())));
         }
-        return Html.plain(
-                        "p",
-                        "The sensors are listed in the order in which to buy them: at each step, the one that adds most"
-                                + " for its price. "
-                                + measure.columns())
-                + Html.table(head, rows);
+        return Html.plain("p", order() + measure.columns()) + Html.table(head, rows);
+    }
+
+    private String order() {
+        return best.isOrderedBackwards()
+                ? "The sensors are listed in the order in which to buy them. Since several must detect the drone, the"
+                        + " order was found from its end: at each step, the sensor whose loss is least for its price"
+                        + " was left out. "
+                : "The sensors are listed in the order in which to buy them: at each step, the one that adds most for"
+                        + " its price. ";
     }
 
     private static List<String> row(PlaceTable table, SiteCandidate sensor, String cost, String sum, String together) {

@@ -61,8 +61,8 @@ record SecondsMeasure(boolean isWorst) implements PlaceMeasure {
     }
 
     @Override
-    public String gained(SectorGain gain) {
-        String times = " (" + text(gain.before()) + " before, " + text(gain.after()) + " now)";
+    public String gained(SectorGain gain, boolean isFirst) {
+        String times = FrontWords.change(isFirst, text(gain.before()), text(gain.after()));
         return isWorst
                 ? "lengthens the minimum warning, from the " + CompassPoint.of(gain.bearing()) + times
                 : "adds most from the " + CompassPoint.of(gain.bearing()) + times;

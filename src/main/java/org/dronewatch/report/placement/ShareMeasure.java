@@ -62,10 +62,10 @@ record ShareMeasure(int fold) implements PlaceMeasure {
     }
 
     @Override
-    public String gained(SectorGain gain) {
+    public String gained(SectorGain gain, boolean isFirst) {
         String heights = Numbers.text(gain.lowest())
                 + (gain.lowest() < gain.highest() ? " to " + Numbers.text(gain.highest()) : "");
         return (gain.isClosed() ? "closes the gap in the " : "adds most in the ") + CompassPoint.of(gain.bearing())
-                + " at " + heights + " m (" + text(gain.before()) + " before, " + text(gain.after()) + " now)";
+                + " at " + heights + " m" + FrontWords.change(isFirst, text(gain.before()), text(gain.after()));
     }
 }

@@ -1,0 +1,46 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.placement.site.PlacedSite;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A layout in which two sensors must cover a cell. */
+class PlaceFoldTest {
+    /** A line of the first table: what the sensors so far cover, %. */
+    private static final Pattern PURCHASE =
+            Pattern.compile("(?m)^(?:radar|radio|eye)-\\S+ .* [\\d.]+ +[\\d.]+ +[\\d.]+ % +([\\d.]+) %$");
+
+    @TempDir
+    private Path directory;
+
+    @Test
+    void saysHowItWasOrderedAndThatTheTableCountsSingleSensors() throws IOException {
+        Path file = PlacedSite.in(directory, "budget: 8\nconditions: {fold: 2}\n");
+        Outcome outcome = Program.run("place", file.toString(), "--out=" + directory.resolve("."));
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        String page = Files.readString(directory.resolve("report.html"));
+        assertThat(page).contains("the sensor whose loss is least for its price was left out");
+        List<MatchResult> purchases = PURCHASE.matcher(outcome.out()).results().toList();
+        assertThat(purchases).hasSizeGreaterThan(2);
+        // The first sensor covers nothing twice, but with the second, something is covered.
+        assertThat(purchases.get(0).group(1)).isEqualTo("0.0");
+        assertThat(Double.parseDouble(purchases.get(1).group(1))).isPositive();
+        assertThat(outcome.out())
+                .contains("coverage by one sensor or more on the heading that is worst in each cell")
+                .contains("; the layout was chosen for what 2 sensors or more cover.")
+                .contains("of the known cells with 2 sensors or more.");
+        assertThat(page)
+                .contains("The table states the coverage by one sensor or more on the heading")
+                .contains("; the layout was chosen for what 2 sensors or more cover.");
+    }
+}
