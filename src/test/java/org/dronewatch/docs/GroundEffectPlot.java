@@ -5,6 +5,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -50,6 +51,10 @@ final class GroundEffectPlot {
             this.title = "Drone at 5 m, microphone at 1.5 m: " + title;
             this.level = level;
         }
+
+        private double[] of(List<EnergyReading> readings) {
+            return readings.stream().mapToDouble(level).toArray();
+        }
     }
 
     private GroundEffectPlot() {}
@@ -59,31 +64,20 @@ final class GroundEffectPlot {
         for (int i = 0; i < POINTS; i++) {
             distances[i] = NEAREST * Math.pow(FARTHEST / NEAREST, i / (POINTS - 1.0));
         }
-        World hard = plain("asphalt");
-        World grass = plain("grass_turf");
+        List<EnergyReading> hardGround = over(plain("asphalt"), distances);
+        List<EnergyReading> grass = over(plain("grass_turf"), distances);
         // The drone is east of the microphone.
-        World downwind = plain("grass_turf", new Wind(WIND, Math.toRadians(90), 0.03));
-        World upwind = plain("grass_turf", new Wind(WIND, Math.toRadians(270), 0.03));
+        List<EnergyReading> downwind = over(plain("grass_turf", new Wind(WIND, Math.toRadians(90), 0.03)), distances);
+        List<EnergyReading> upwind = over(plain("grass_turf", new Wind(WIND, Math.toRadians(270), 0.03)), distances);
+        List<EnergyReading> free = free(distances);
         XYChart[] charts = Stream.of(Quantity.values())
                 .map(quantity -> {
                     XYChart chart = chart(quantity.title);
-                    DocChart.add(
-                            chart,
-                            "grass, downwind",
-                            distances,
-                            over(downwind, distances, quantity.level),
-                            new Color(0x8fbf3f));
-                    DocChart.add(
-                            chart,
-                            "grass, upwind",
-                            distances,
-                            over(upwind, distances, quantity.level),
-                            new Color(0xc2410c));
-                    DocChart.add(
-                            chart, "grass", distances, over(grass, distances, quantity.level), new Color(0x2a9d5c));
-                    DocChart.add(
-                            chart, "asphalt", distances, over(hard, distances, quantity.level), new Color(0x1f5fbf));
-                    DocChart.add(chart, "free field", distances, free(distances, quantity.level), Color.GRAY);
+                    DocChart.add(chart, "grass, downwind", distances, quantity.of(downwind), new Color(0x8fbf3f));
+                    DocChart.add(chart, "grass, upwind", distances, quantity.of(upwind), new Color(0xc2410c));
+                    DocChart.add(chart, "grass", distances, quantity.of(grass), new Color(0x2a9d5c));
+                    DocChart.add(chart, "asphalt", distances, quantity.of(hardGround), new Color(0x1f5fbf));
+                    DocChart.add(chart, "free field", distances, quantity.of(free), Color.GRAY);
                     return chart;
                 })
                 .toArray(XYChart[]::new);
@@ -100,23 +94,18 @@ final class GroundEffectPlot {
         return chart;
     }
 
-    private static double[] over(World world, double[] distances, ToDoubleFunction<EnergyReading> level) {
+    private static List<EnergyReading> over(World world, double[] distances) {
         EnergyTracer tracer = new EnergyTracer(EnergyModel.DEFAULT.withGround(Ground.COHERENT), MICROPHONE, 0.5, world);
-        double[] levels = new double[distances.length];
-        for (int i = 0; i < levels.length; i++) {
-            levels[i] =
-                    level.applyAsDouble(tracer.trace(drone(distances[i]), new SplittableRandom(1), RayRecorder.NONE));
-        }
-        return levels;
+        return DoubleStream.of(distances)
+                .mapToObj(distance -> tracer.trace(drone(distance), new SplittableRandom(1), RayRecorder.NONE))
+                .toList();
     }
 
-    private static double[] free(double[] distances, ToDoubleFunction<EnergyReading> level) {
+    private static List<EnergyReading> free(double[] distances) {
         EnergyTracer tracer = new EnergyTracer(EnergyModel.DEFAULT, MICROPHONE, 0.5, plain("asphalt"));
-        double[] levels = new double[distances.length];
-        for (int i = 0; i < levels.length; i++) {
-            levels[i] = level.applyAsDouble(tracer.inTheOpen(drone(distances[i])));
-        }
-        return levels;
+        return DoubleStream.of(distances)
+                .mapToObj(distance -> tracer.inTheOpen(drone(distance)))
+                .toList();
     }
 
     private static SoundSource drone(double distance) {
