@@ -1,5 +1,7 @@
 package org.dronewatch.placement.plan;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -19,6 +21,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.file.Kinds;
 import org.dronewatch.setting.file.Node;
@@ -30,6 +33,11 @@ import org.dronewatch.world.Visibility;
 /** The sensors that a placement file offers, at each of their places and with each of their aims. */
 final class CandidatesOnSite {
     /** Maximum number of candidates. */
+    private static final double FULL_TURN = 360.0;
+
+    /** Digits after the point of an angle in degrees: those that rounding does not spoil. */
+    private static final int DECIMALS = 9;
+
     private static final int MOST = 1000;
 
     private static final String OFFERS = "candidates.";
@@ -183,6 +191,14 @@ final class CandidatesOnSite {
         Aimed aimed = sensor.as(Aimed.class)
                 .orElseThrow(() -> new InputException(path + ".aims " + of + ": a sensor of kind " + sensor.kind()
                         + " has no aim, so aims must be 1"));
+        if (number > 0 && aimed.aim() instanceof Aim.Direction own) {
+            // In degrees, so that the scene of a layout has the same angles as the file.
+            double degrees = Math.toDegrees(own.azimuth()) + FULL_TURN * number / of;
+            double rounded = BigDecimal.valueOf(Math.IEEEremainder(degrees, FULL_TURN))
+                    .setScale(DECIMALS, RoundingMode.HALF_EVEN)
+                    .doubleValue();
+            return aimed.withAim(new Aim.Direction(Quantity.ANGLE.parse(rounded + " deg"), own.elevation()));
+        }
         Position forward = aimed.aim().from(sensor.position());
         double level = Math.hypot(forward.x(), forward.y());
         double azimuth = StrictMath.atan2(forward.x(), forward.y()) + 2.0 * Math.PI * number / of;

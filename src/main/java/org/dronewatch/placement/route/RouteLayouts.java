@@ -107,6 +107,12 @@ public final class RouteLayouts {
             });
         }
 
+        /** Exposures are those on the routes that were found, so a smaller difference may be none. */
+        @Override
+        public boolean isBetter(RoutePlacement layout, double value, SolverLimits limits) {
+            return layout.value() > (1.0 + limits.gap()) * value;
+        }
+
         @Override
         public RoutePlacement bounded(RoutePlacement layout, double bound) {
             return layout.within(bound);

@@ -26,6 +26,7 @@ final class BudgetTrials<L extends PlacedLayout> {
     private final NavigableMap<Double, L> found = new ConcurrentSkipListMap<>();
     private final NavigableSet<Double> infeasible = new ConcurrentSkipListSet<>();
     private volatile boolean isStopped;
+    private Optional<L> nothing = Optional.empty();
 
     /**
      * Budgets that are to be tried.
@@ -59,6 +60,9 @@ final class BudgetTrials<L extends PlacedLayout> {
             List<Double> had = new ArrayList<>(found.keySet());
             had.add(limit);
             attempt(BudgetSteps.between(sums, had, most - found.size()));
+        }
+        if (limit > 0.0 && !isStopped) {
+            nothing = layouts.within(0.0, limits);
         }
     }
 
@@ -102,6 +106,11 @@ final class BudgetTrials<L extends PlacedLayout> {
         if (cheapest.isPresent() && !isStopped) {
             add(between.get(to), cheapest.get());
         }
+    }
+
+    /** The layout that costs nothing; empty if it does not comply with the conditions, or was not sought. */
+    Optional<L> nothing() {
+        return nothing;
     }
 
     /** The layouts by the budgets for which they were sought. */

@@ -27,6 +27,14 @@ public interface CheaperLayouts<L extends PlacedLayout> {
     /** Where a layout is better than the best one for the next lower budget; empty if it is better nowhere. */
     Optional<SectorGain> gain(Optional<L> before, L after);
 
+    /**
+     * Whether a layout is better than some value by more than the search can tell apart: equal values are not, nor are
+     * estimates that differ by less than the gap to which they were sought.
+     */
+    default boolean isBetter(L layout, double value, SolverLimits limits) {
+        return layout.value() > value;
+    }
+
     /** Adds what is stated only for the layout for the whole budget. */
     default L described(L layout) {
         return layout;

@@ -48,7 +48,7 @@ public final class FrontSearch<L extends PlacedLayout> {
         isWhole &= !trials.isStopped() && found.stream().allMatch(PlacedLayout::complete);
         found.add(best);
         asked.add(best.plan().settings().budget());
-        return new BudgetFront<>(points(bounded(found), asked), trials.tried(), isWhole);
+        return new BudgetFront<>(points(bounded(found), asked, trials.nothing(), limits), trials.tried(), isWhole);
     }
 
     /** A bound for more money holds for less, too. */
@@ -63,8 +63,9 @@ public final class FrontSearch<L extends PlacedLayout> {
         return bounded;
     }
 
-    /** Without layouts that are worth nothing or that a cheaper one equals. */
-    private List<FrontPoint<L>> points(List<L> found, List<Double> budgets) {
+    /** Without layouts that are worth no more than a cheaper one, or than buying nothing. */
+    private List<FrontPoint<L>> points(List<L> found, List<Double> budgets, Optional<L> nothing, SolverLimits limits) {
+        double atLeast = nothing.map(PlacedLayout::value).orElse(0.0);
         List<FrontPoint<L>> points = new ArrayList<>();
         for (int at = 0; at < found.size(); at++) {
             Optional<L> before = points.isEmpty()
@@ -72,9 +73,13 @@ public final class FrontSearch<L extends PlacedLayout> {
                     : Optional.of(points.get(points.size() - 1).layout());
             boolean isLast = at == found.size() - 1;
             L layout = found.get(at);
-            double least = before.map(PlacedLayout::value).orElse(0.0);
-            if (layout.value() > least || before.isEmpty() && isLast) {
+            double least = before.map(PlacedLayout::value).orElse(atLeast);
+            if (layouts.isBetter(layout, least, limits)) {
                 points.add(point(budgets.get(at), before, layout));
+            } else if (before.isEmpty() && isLast) {
+                L free = nothing.map(its -> layouts.bounded(its, layout.result().bound()))
+                        .orElse(layout);
+                points.add(point(budgets.get(at), before, free));
             } else if (isLast) {
                 points.set(points.size() - 1, closing(points.get(points.size() - 1), layout));
             }

@@ -40,6 +40,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
     public List<String> lines() {
         List<String> lines = new ArrayList<>(new PlaceTable(best(), measure()).lines());
         lines.add("");
+        new PlaceTable(best(), measure()).nothing().ifPresent(lines::add);
         lines.addAll(new CoverageSentences(this).lines());
         lines.addAll(new FrontWords(measure()).lines(front));
         fields.ifPresent(its -> {

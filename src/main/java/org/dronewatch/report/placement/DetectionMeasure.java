@@ -25,7 +25,7 @@ record DetectionMeasure() implements PlaceMeasure {
 
     @Override
     public String whole() {
-        return "";
+        return ", as the search estimates it";
     }
 
     @Override

@@ -18,7 +18,7 @@ public interface PlaceMeasure {
      */
     String claim(boolean isOne, double value);
 
-    /** What the value is a part of, with a leading space: {@code  of the airspace}; or an empty text. */
+    /** What the value is a part of, or how it was found: {@code  of the airspace}; or an empty text. */
     String whole();
 
     /** The heading of a column of values. */

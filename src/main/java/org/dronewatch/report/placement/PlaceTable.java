@@ -62,6 +62,16 @@ final class PlaceTable {
                 .orElseThrow();
     }
 
+    /** That no purchase gains anything, in a sentence; empty if one does, or there is no money. */
+    Optional<String> nothing() {
+        boolean isBought =
+                layout.chosen().stream().anyMatch(sensor -> !sensor.candidate().fixed());
+        return isBought || layout.plan().settings().budget() == 0.0 || !layout.complete()
+                ? Optional.empty()
+                : Optional.of("Buying nothing would do as well: no layout within the budget was found that gains"
+                        + " anything.");
+    }
+
     /** What the scene's own sensors achieve, in a sentence; empty if it has none. */
     Optional<String> present() {
         return layout.present()

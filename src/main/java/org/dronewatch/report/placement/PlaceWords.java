@@ -25,7 +25,7 @@ final class PlaceWords {
     /** What the layout achieves, how much better any could be, what less money buys, today, and after a loss. */
     String verdict() {
         if (best.chosen().isEmpty()) {
-            return "No sensor that the budget allows covers anything.";
+            return new PlaceTable(best, measure).nothing().orElse("No sensor that the budget allows covers anything.");
         }
         List<String> sentences = new ArrayList<>();
         int sensors = best.chosen().size();
@@ -35,6 +35,7 @@ final class PlaceWords {
                 + amount(best.plan().settings().budget())
                 + " can achieve " + FrontWords.moreThan(measure.text(best.bound())) + ".");
         PlaceTable table = new PlaceTable(best, measure);
+        table.nothing().ifPresent(sentences::add);
         table.byCondition().ifPresent(sentences::add);
         best.present()
                 .ifPresent(own -> sentences.add("Today's " + PlaceTable.counted(own) + " "

@@ -43,6 +43,7 @@ public record RoutePlaceResults(
         PlaceTable table = new PlaceTable(best(), measure());
         List<String> lines = new ArrayList<>(table.lines());
         lines.add("");
+        table.nothing().ifPresent(lines::add);
         lines.addAll(new RouteSentences(best()).lines());
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);

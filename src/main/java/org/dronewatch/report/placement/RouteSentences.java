@@ -30,7 +30,7 @@ final class RouteSentences {
                     + ".";
         }
         return "On the weakest route past the layout" + scene() + ", the drone is detected with a probability of "
-                + detected(value) + " (exposure " + exposure(value) + "): " + along() + ".";
+                + detected(value) + " (exposure " + exposure(value) + "), as the search estimates it: " + along() + ".";
     }
 
     /** {@code , under the condition 'fog'}: where that route was found; an empty text if there are no conditions. */

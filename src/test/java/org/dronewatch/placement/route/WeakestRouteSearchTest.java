@@ -35,6 +35,7 @@ import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.placement.site.PlaceSearch;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.placement.solver.ExactSolver;
+import org.dronewatch.report.placement.RoutePlaceResults;
 import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
@@ -181,6 +182,42 @@ class WeakestRouteSearchTest {
                             point.layout().bound())
                     .isGreaterThanOrEqualTo(point.layout().value()));
         }
+    }
+
+    /** Exposures are estimates: a step that raises one by less than the gap is none, and is not bought. */
+    @Test
+    void aStepWithinTheGapIsNotBought() throws IOException {
+        BudgetFront<RoutePlacement> front = front(plan("budget: 4\n"), SolverLimits.NONE.withGap(0.9));
+
+        assertThat(front.points()).isNotEmpty();
+        for (int at = 1; at < front.points().size(); at++) {
+            assertThat(front.points().get(at).layout().value())
+                    .isGreaterThan(1.9 * front.points().get(at - 1).layout().value());
+        }
+    }
+
+    private static BudgetFront<RoutePlacement> front(PlacePlan plan, SolverLimits limits) {
+        Stage stage = plan.runner().stage(plan.present());
+        RouteLayouts layouts =
+                new WeakestRouteSearch(plan, stage, LayerStore.NONE, new ExactSolver()).assessed(cells -> {});
+        return new FrontSearch<>(layouts.cheaper(layouts.found(SolverLimits.NONE, round -> {})))
+                .found(FrontSearch.MOST, limits, budget -> {});
+    }
+
+    /** Radars that see only what is faster than the drone. */
+    @Test
+    void whatGainsNothingIsNotBought() throws IOException {
+        plan("budget: 4\n");
+        Path file = directory.resolve("ring.place.yaml");
+        Files.writeString(file, Files.readString(file).replace("minSpeed: 0.1 m/s", "minSpeed: 100 m/s"));
+        BudgetFront<RoutePlacement> front =
+                front(PlacePlan.read(file, runner -> {}, note -> {}), SolverLimits.NONE.withGap(0.001));
+        RoutePlaceResults results = new RoutePlaceResults(front, Optional.empty(), Optional.empty());
+
+        assertThat(front.points()).hasSize(1);
+        assertThat(front.best().chosen()).isEmpty();
+        assertThat(front.best().value()).isZero();
+        assertThat(results.lines()).anyMatch(line -> line.startsWith("Buying nothing would do as well:"));
     }
 
     /** Each objective's layout is better on it than that of the other: the best coverage leaves a weaker route. */

@@ -30,10 +30,12 @@ import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -269,6 +271,24 @@ class PlaceSearchTest {
                 .from(new Position(0, 0, 0));
         assertThat(east.x()).isCloseTo(1.0, within(1e-12));
         assertThat(east.y()).isCloseTo(0.0, within(1e-12));
+    }
+
+    /** In the scene of a layout, angles have the digits of the file. */
+    @Test
+    void turnedAimsAreWholeDegrees() throws IOException {
+        Path file = PlacedSite.in(directory, "budget: 9\n");
+        Files.writeString(
+                file,
+                Files.readString(file)
+                        .replace("fov: 40 deg,", "aim: {azimuth: 30 deg, elevation: 12 deg}, fov: 40 deg,"));
+        List<String> written = PlacePlan.read(file, runner -> {}, note -> {}).candidates().stream()
+                .filter(one -> one.name().startsWith("eye"))
+                .map(one -> (Aim.Direction)
+                        one.sensor().as(Aimed.class).orElseThrow().aim())
+                .map(aim -> Quantity.ANGLE.exactly(aim.azimuth()) + ", " + Quantity.ANGLE.exactly(aim.elevation()))
+                .toList();
+
+        assertThat(written).containsExactly("30 deg, 12 deg", "120 deg, 12 deg", "-150 deg, 12 deg", "-60 deg, 12 deg");
     }
 
     /** The camera in each of four directions, and on a positioner that the radars of the layout cue. */
