@@ -78,6 +78,13 @@ final class ProgressLines {
         }
     }
 
+    /** The task was ended before it was complete. */
+    synchronized void stopped() {
+        if (isEndStated) {
+            err.printf(Locale.ROOT, "%s: stopped after %s%n", task, duration(seconds()));
+        }
+    }
+
     private double seconds() {
         return NANO * (clock.getAsLong() - start);
     }

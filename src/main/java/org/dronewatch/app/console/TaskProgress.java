@@ -3,6 +3,7 @@ package org.dronewatch.app.console;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
@@ -45,6 +46,15 @@ public record TaskProgress(Amount amount, PrintWriter err) {
      * @param steps their approximate number
      */
     public <T> T during(String task, long steps, Function<IntConsumer, T> work) {
+        return during(task, steps, work, () -> false);
+    }
+
+    /**
+     * The same for a task that may give the results so far if it is interrupted.
+     *
+     * @param isCut whether it was, queried at the end
+     */
+    public <T> T during(String task, long steps, Function<IntConsumer, T> work, BooleanSupplier isCut) {
         try (ProgressBar bar = bar(task, steps)) {
             if (bar != null) {
                 return work.apply(total(bar::stepTo));
@@ -56,7 +66,11 @@ public record TaskProgress(Amount amount, PrintWriter err) {
                     ? new ProgressLines(task, steps, err, System::nanoTime)
                     : ProgressLines.once(task, steps, err, System::nanoTime);
             T result = work.apply(total(lines::reached));
-            lines.ended();
+            if (isCut.getAsBoolean()) {
+                lines.stopped();
+            } else {
+                lines.ended();
+            }
             return result;
         }
     }

@@ -121,7 +121,9 @@ public final class RouteLayouts {
         @Override
         public RoutePlacement described(RoutePlacement layout) {
             CutResult cut = found.get(layout.result().chosen());
-            return cut == null || !layout.parts().alone().isEmpty() ? layout : figures.withParts(layout, cut);
+            return cut == null || !layout.parts().alone().isEmpty()
+                    ? layout
+                    : figures.withParts(layout.countedAs(best), cut);
         }
 
         @Override

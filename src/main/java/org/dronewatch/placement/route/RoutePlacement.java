@@ -93,6 +93,22 @@ public record RoutePlacement(
         return with(result, others, complete);
     }
 
+    /** The same as the result of a search that tried as many layouts and routes as another. */
+    RoutePlacement countedAs(RoutePlacement other) {
+        return new RoutePlacement(
+                plan,
+                grid,
+                result,
+                weakest,
+                lower,
+                asItIs,
+                byCondition,
+                parts,
+                other.rounds(),
+                Math.max(routes, other.routes()),
+                complete);
+    }
+
     /** The same after an interruption. */
     RoutePlacement incomplete() {
         return with(

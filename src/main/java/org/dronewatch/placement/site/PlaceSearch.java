@@ -40,7 +40,8 @@ public final class PlaceSearch {
     }
 
     /** The coverage that was assessed: of candidates, and of the scene's own sensors. */
-    private record Assessed(List<CandidateColumn> columns, Optional<List<CandidateColumn>> present, boolean isWhole) {}
+    private record Assessed(
+            List<CandidateColumn> columns, int assessed, Optional<List<CandidateColumn>> present, boolean isWhole) {}
 
     /**
      * The best layout that this search finds.
@@ -68,6 +69,7 @@ public final class PlaceSearch {
                 cells.size(),
                 problem,
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
+                air.assessed(),
                 air.present().map(columns -> present(columns, problem)),
                 isComplete);
     }
@@ -83,7 +85,8 @@ public final class PlaceSearch {
 
     private Assessed assess(IntConsumer progress) {
         List<CandidateColumn> columns = new ArrayList<>(cells.columns(progress));
-        boolean isWhole = columns.size() == plan.candidates().size();
+        int assessed = columns.size();
+        boolean isWhole = assessed == plan.candidates().size();
         while (columns.size() < plan.candidates().size()) {
             columns.add(new CandidateColumn(new int[0]));
         }
@@ -94,9 +97,10 @@ public final class PlaceSearch {
                 own.forEach((name, sensor) -> present.add(cells.column(name, sensor, progress)));
             }
         } catch (CancellationException e) {
-            return new Assessed(columns, Optional.empty(), true);
+            return new Assessed(columns, assessed, Optional.empty(), true);
         }
-        return new Assessed(columns, isWhole && !own.isEmpty() ? Optional.of(present) : Optional.empty(), isWhole);
+        return new Assessed(
+                columns, assessed, isWhole && !own.isEmpty() ? Optional.of(present) : Optional.empty(), isWhole);
     }
 
     private PlacementProblem problem(List<CandidateColumn> columns) {

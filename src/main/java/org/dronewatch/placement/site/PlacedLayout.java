@@ -29,6 +29,11 @@ public interface PlacedLayout {
     /** Whether every candidate was assessed and the search ran to completion. */
     boolean complete();
 
+    /** The number of candidates that were assessed: all of them, unless the search was interrupted. */
+    default int assessed() {
+        return plan().candidates().size();
+    }
+
     /** The value of the layout. */
     double value();
 

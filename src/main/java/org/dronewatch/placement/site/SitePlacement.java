@@ -26,6 +26,7 @@ import org.dronewatch.placement.plan.SiteCandidate;
  * @param problem the problem, whose rows have a weight of 1 each; under several conditions, the rows are repeated for
  *     each of them
  * @param result result of the search, in rows
+ * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param complete whether every candidate was assessed and the search ran to completion
  */
@@ -36,12 +37,14 @@ public record SitePlacement(
         int rows,
         PlacementProblem problem,
         PlacementResult result,
+        int assessed,
         Optional<PresentLayout> present,
         boolean complete)
         implements PlacedLayout {
     /** The same with another layout. */
     SitePlacement with(PlacementResult other) {
-        return new SitePlacement(plan, grid, headings, rows, problem, other, present, complete && other.complete());
+        return new SitePlacement(
+                plan, grid, headings, rows, problem, other, assessed, present, complete && other.complete());
     }
 
     /** The same with another bound, in rows; none below the value. */

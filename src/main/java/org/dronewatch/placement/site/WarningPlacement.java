@@ -28,6 +28,7 @@ import org.dronewatch.placement.plan.WarningMeasure;
  * @param problem the problem, with a row for each flight, under several conditions once for each of them; for the worst
  *     warning, its values are the amounts by which warnings are shorter than the longest
  * @param result result of the search, in the values of the problem
+ * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
  *     before they were assessed
  * @param complete whether every candidate was assessed and the search ran to completion
@@ -38,12 +39,14 @@ public record WarningPlacement(
         double longest,
         PlacementProblem problem,
         PlacementResult result,
+        int assessed,
         Optional<PresentLayout> present,
         boolean complete)
         implements PlacedLayout {
     /** The same with another layout. */
     WarningPlacement with(PlacementResult other) {
-        return new WarningPlacement(plan, grid, longest, problem, other, present, complete && other.complete());
+        return new WarningPlacement(
+                plan, grid, longest, problem, other, assessed, present, complete && other.complete());
     }
 
     /** Which warning counts. */

@@ -82,6 +82,7 @@ public final class WarningSearch {
                 longest,
                 problem,
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
+                warnings.size(),
                 present.map(all -> new PresentLayout(own.size(), ConditionedFlights.seconds(all, isWorst))),
                 isComplete);
     }

@@ -21,7 +21,6 @@ import org.dronewatch.report.html.Page;
 import org.dronewatch.report.html.SensorTables;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.setting.Counted;
 
 /** The best layout for decision-makers: what to buy, what more money buys, and what changes on the site. */
 final class PlaceReport {
@@ -191,7 +190,7 @@ final class PlaceReport {
     private List<String> scope(SensorTables sensors) {
         List<String> items = new ArrayList<>();
         items.add("Only the candidates of the placement file were compared: "
-                + Counted.of(plan.candidates().size(), "candidate") + ".");
+                + new PlaceTable(best, measure).candidates() + ".");
         items.addAll(chapter.scope());
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());

@@ -32,7 +32,7 @@ final class PlaceTable {
     /** A heading and a line for each sensor. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        lines.add("best layout from " + Counted.of(layout.plan().candidates().size(), "candidate")
+        lines.add("best layout from " + candidates()
                 + " for a budget of " + Numbers.text(layout.plan().settings().budget()) + measure.purpose()
                 + ", in the order in which to buy:");
         lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
@@ -44,6 +44,14 @@ final class PlaceTable {
             lines.add(row(sensor, cost(sensor), Numbers.text(step.cost()), measure.text(step.value())));
         }
         return lines;
+    }
+
+    /** {@code 8 candidates}, or {@code the first 5 of 8 candidates} after an interruption. */
+    String candidates() {
+        String all = Counted.of(layout.plan().candidates().size(), "candidate");
+        return layout.assessed() < layout.plan().candidates().size()
+                ? "the first " + layout.assessed() + " of " + all
+                : all;
     }
 
     /** The sensors that are kept, or all if the order in which to buy them is not known. */
