@@ -96,9 +96,12 @@ final class RouteNotes {
 
     /** From which sectors less detected routes may exist, which smaller cells may show; empty if there are none. */
     private Optional<String> unproven(RouteSurvey survey) {
+        double response = survey.response();
         // Where a warning says the same, it is enough.
         List<String> sectors = sectors(
-                survey, route -> route.isUnproven(survey.response()) && !route.isMisjudgedForCells(survey.response()));
+                survey,
+                route -> route.isUnproven(response)
+                        && !(route.isMisjudged(response) && route.isMisjudgedForCells(response)));
         return sectors.isEmpty()
                 ? Optional.empty()
                 : Optional.of("Less exposed routes from the " + listed(sectors)

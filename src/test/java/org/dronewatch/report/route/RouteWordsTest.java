@@ -248,6 +248,17 @@ class RouteWordsTest {
                         && note.endsWith("less than 30 m above the ground, add lower --heights."));
     }
 
+    /** Looks at any moment would detect much more than in the cells, slow ones do not: no warning says so. */
+    @Test
+    void whatNoWarningSaysIsNoted() {
+        SectorRoute route = route(Map.of("slow", 1.3), 0.511, List.of(List.of(look(10.0, 2.6)), List.of()));
+
+        assertThat(route.isMisjudgedForCells(15.0)).isTrue();
+        assertThat(warning(route)).isEmpty();
+        assertThat(new RouteNotes(inputs).notes(results(route, Map.of())))
+                .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out"));
+    }
+
     /** The search expects 95 % along the whole route, but nothing in time, and no look detects the drone at all. */
     @Test
     void explainsWhereTheSearchAndTheFlightDifferTooLate() {
