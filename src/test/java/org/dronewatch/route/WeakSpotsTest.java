@@ -132,6 +132,19 @@ class WeakSpotsTest {
         assertThat(straight.route().path().length()).isLessThan(1.02 * start.distance(end));
     }
 
+    /** A radar sees nothing that is more than 60° above it: only the nodes right above it are inside this cone. */
+    @Test
+    void aNarrowConeAboveARadarIsDescendedVertically() throws IOException {
+        String cone = NEAR.replace("elevationWidth: 90 deg", "elevationWidth: 120 deg");
+        FieldGrid grid = new FieldGrid(0, 0, 475, 25, List.of(10.0, 30.0, 45.0, 60.0, 80.0, 100.0, 130.0, 160.0));
+        SectorRoute above = weakest(powered(cone, grid), EAST);
+        SectorRoute all =
+                weakest(powered(NEAR.replace("elevationWidth: 90 deg", "elevationWidth: 180 deg"), grid), EAST);
+
+        assertThat(above.profile().exposure()).isLessThan(1e-6);
+        assertThat(all.profile().exposure()).isGreaterThan(10.0);
+    }
+
     private SiteRoutes gliding(String sensors, FieldGrid grid) throws IOException {
         SceneSettings plain = FieldSite.in(directory, sensors + ZONE).settings();
         FlightPerformance performance = FlightPerformance.TYPICAL.withGlide(8.0, 10.0);

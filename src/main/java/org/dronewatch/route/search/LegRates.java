@@ -9,7 +9,7 @@ import org.dronewatch.route.exposure.LegMotion;
 
 /**
  * The mean rates of a field along the shortest level legs from all nodes, in all modes and directions, where the rate
- * is bilinear between nodes. Immutable.
+ * is bilinear between nodes; and the rates at the nodes on vertical legs. Immutable.
  */
 final class LegRates {
     private final int directions;
@@ -17,12 +17,18 @@ final class LegRates {
     /** By mode and direction, then node at which the leg begins. */
     private final float[][] rates;
 
+    /** By mode, down and then up, and node; empty where no leg is vertical. */
+    private final float[][] vertical;
+
     /** Evaluates the field on the {@link Workers} of the calling thread. */
     LegRates(RouteProblem problem) {
         this.directions = problem.directions().count();
         this.rates =
                 new float[problem.modes().size() * directions][problem.grid().size()];
         RouteGrid grid = problem.grid();
+        // Whatever needs room to turn cannot stop in the air.
+        boolean isVertical = problem.headings() == 1 && grid.levels() > 1;
+        this.vertical = new float[isVertical ? 2 * problem.modes().size() : 0][grid.size()];
         LegMotion[] motions = new LegMotion[rates.length];
         Arrays.setAll(motions, i -> problem.modes()
                 .get(i / directions)
@@ -42,16 +48,28 @@ final class LegRates {
             for (float[] one : rates) {
                 one[node] = Float.POSITIVE_INFINITY;
             }
+            for (float[] one : vertical) {
+                one[node] = Float.POSITIVE_INFINITY;
+            }
             return;
         }
         double x = grid.x(node);
         double y = grid.y(node);
         double z = grid.z(node);
         for (int i = 0; i < rates.length; i++) {
-            double rate = problem.field().rate(x, y, z, motions[i], i / directions);
-            // A node may coincide with a sensor; no leg through it is worth its price.
-            rates[i][node] = rate < Float.MAX_VALUE ? (float) rate : Float.MAX_VALUE;
+            rates[i][node] = finite(problem.field().rate(x, y, z, motions[i], i / directions));
         }
+        for (int i = 0; i < vertical.length; i++) {
+            RouteMode mode = problem.modes().get(i / 2);
+            vertical[i][node] = mode.isGlide()
+                    ? Float.POSITIVE_INFINITY
+                    : finite(problem.field().rate(x, y, z, mode.vertical((i & 1) == 1), i / 2));
+        }
+    }
+
+    /** A node may coincide with a sensor; no leg through it is worth its price. */
+    private static float finite(double rate) {
+        return rate < Float.MAX_VALUE ? (float) rate : Float.MAX_VALUE;
     }
 
     private static float[] alongLegs(RouteProblem problem, int direction, float[] atNodes) {
@@ -79,6 +97,16 @@ final class LegRates {
      */
     float[] of(int mode, int direction) {
         return rates[mode * directions + direction];
+    }
+
+    /** Whether a leg may be vertical: there are several levels, and turns need no room. */
+    boolean hasVertical() {
+        return vertical.length > 0;
+    }
+
+    /** The rate at a node on a vertical leg, 1/s; infinite where the drone cannot be or cannot fly such a leg. */
+    float vertical(int mode, boolean isUp, int node) {
+        return vertical[2 * mode + (isUp ? 1 : 0)][node];
     }
 
     /**

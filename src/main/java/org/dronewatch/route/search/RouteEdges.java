@@ -6,7 +6,8 @@ import java.util.Arrays;
  * The legs between nodes: straight in plan, level or one level up or down. Their exposure is the time that they take
  * times the mean rate on the leg's own heading, where the rate is bilinear between the nodes of a level, and a leg that
  * climbs or descends passes from the rate at one level to that at the other in proportion to the distance. Where the
- * drone needs room to turn, and where it glides, a leg leads over several nodes. Immutable.
+ * drone needs room to turn, and where it glides, a leg leads over several nodes. Where it needs none, it also climbs
+ * and descends vertically under power. Immutable.
  */
 final class RouteEdges {
     /** Up, level, down. */
@@ -115,6 +116,23 @@ final class RouteEdges {
             }
         }
         return time * sum / repeats;
+    }
+
+    /** Whether a leg may be vertical. */
+    boolean hasVertical() {
+        return rates.hasVertical();
+    }
+
+    /**
+     * The exposure of a vertical leg; infinite where it cannot be flown.
+     *
+     * @param from node at which it begins
+     * @param to the node above or below
+     */
+    double verticalCost(int mode, int from, int to) {
+        boolean isUp = to > from;
+        double rate = 0.5 * ((double) rates.vertical(mode, isUp, from) + rates.vertical(mode, isUp, to));
+        return rate == Double.POSITIVE_INFINITY ? rate : rate * modes[mode].time(0.0, grid.z(to) - grid.z(from));
     }
 
     /**

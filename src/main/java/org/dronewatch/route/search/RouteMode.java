@@ -64,6 +64,12 @@ public record RouteMode(String name, double speed, double climb, double sink, do
         return new LegMotion(heading, level * StrictMath.sin(heading), level * StrictMath.cos(heading), slope * level);
     }
 
+    /** The motion straight up or down, as fast as the limits allow; not for a glide. */
+    LegMotion vertical(boolean isUp) {
+        double rise = isUp ? 1.0 : -1.0;
+        return new LegMotion(0.0, 0.0, 0.0, rise * greatestSpeed(0.0, rise));
+    }
+
     /** Whether the drone can only descend in this mode. */
     public boolean isGlide() {
         return steepest < 0.0;

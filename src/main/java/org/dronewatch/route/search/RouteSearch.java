@@ -103,6 +103,11 @@ public final class RouteSearch {
             for (int direction = 0; direction < problem.directions().count(); direction++) {
                 comeFrom(state, mode, node, direction, 0);
             }
+            if (edges.hasVertical()) {
+                int plane = grid.columns() * grid.rows();
+                comeVertically(state, mode, node, node - plane);
+                comeVertically(state, mode, node, node + plane);
+            }
         } else {
             for (int turn = -1; turn <= 1; turn++) {
                 int direction = Math.floorMod(heading + turn, headings);
@@ -132,12 +137,23 @@ public final class RouteSearch {
                 continue;
             }
             int from = grid.node(fromColumn, fromRow, before);
-            double exposure = edges.cost(mode, direction, from, repeats, climb);
             int earlier = (mode * headings + heading) * grid.size() + from;
-            // Obstacles are looked for only where the leg would be taken.
-            if (exposure < Double.POSITIVE_INFINITY && cost[state] + exposure < cost[earlier] && isFree(from, node)) {
-                reach(earlier, cost[state] + exposure, state);
-            }
+            come(state, node, edges.cost(mode, direction, from, repeats, climb), earlier, from);
+        }
+    }
+
+    /** Tries the vertical leg from the node below or above, if there is one. */
+    private void comeVertically(int state, int mode, int node, int from) {
+        if (from >= 0 && from < grid.size()) {
+            come(state, node, edges.verticalCost(mode, from, node), mode * grid.size() + from, from);
+        }
+    }
+
+    /** Takes a leg with this exposure if that is the least exposed route so far. */
+    private void come(int state, int node, double exposure, int earlier, int from) {
+        // Obstacles are looked for only where the leg would be taken.
+        if (exposure < Double.POSITIVE_INFINITY && cost[state] + exposure < cost[earlier] && isFree(from, node)) {
+            reach(earlier, cost[state] + exposure, state);
         }
     }
 }

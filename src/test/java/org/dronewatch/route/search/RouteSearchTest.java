@@ -112,6 +112,9 @@ class RouteSearchTest {
                     if (mode + 1 < problem.modes().size()) {
                         legs.add(new Leg(state, state + headings * grid.size(), 0.0));
                     }
+                    if (headings == 1 && mode == 0) {
+                        addVerticalLegs(legs, problem, node);
+                    }
                     for (int direction = 0; direction < problem.directions().count(); direction++) {
                         if (headings == 1 || direction == heading) {
                             addLegs(legs, problem, mode, node, direction, state);
@@ -121,6 +124,20 @@ class RouteSearchTest {
             }
         }
         return legs;
+    }
+
+    /** Straight up and down, under power, with the mean of the rates at both nodes; the heading is north. */
+    private static void addVerticalLegs(List<Leg> legs, RouteProblem problem, int node) {
+        RouteGrid grid = problem.grid();
+        int plane = grid.columns() * grid.rows();
+        for (int to : new int[] {node - plane, node + plane}) {
+            if (to >= 0 && to < grid.size() && grid.isOpen(node) && grid.isOpen(to)) {
+                double rise = grid.z(to) - grid.z(node);
+                Table field = (Table) problem.field();
+                double rate = 0.5 * (field.at(node, 0, 0) + field.at(to, 0, 0));
+                legs.add(new Leg(node, to, rate * (rise > 0.0 ? rise / 0.5 : -rise)));
+            }
+        }
     }
 
     private static void addLegs(List<Leg> legs, RouteProblem problem, int mode, int node, int direction, int state) {
