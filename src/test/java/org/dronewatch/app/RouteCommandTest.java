@@ -82,6 +82,8 @@ class RouteCommandTest {
                         "starts_s",
                         "origin",
                         "routes",
+                        "notes",
+                        "warnings",
                         "complete");
         assertThat(json.get("complete").asBoolean()).isTrue();
         assertThat(json.get("response_s").asDouble()).isEqualTo(5.0);

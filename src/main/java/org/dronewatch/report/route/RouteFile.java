@@ -51,6 +51,9 @@ public final class RouteFile {
         inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
         ArrayNode routes = root.putArray("routes");
         survey.routes().forEach(route -> add(routes.addObject(), route, results, inputs));
+        RouteNotes notes = new RouteNotes(inputs);
+        notes.notes(results).forEach(root.putArray("notes")::add);
+        notes.warnings(survey).forEach(root.putArray("warnings")::add);
         root.put("complete", results.isComplete());
         return root;
     }

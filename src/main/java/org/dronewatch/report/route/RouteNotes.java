@@ -13,7 +13,9 @@ import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.RouteStarts;
@@ -24,6 +26,9 @@ import org.dronewatch.setting.PlainText;
 
 /** What has to be known of the figures of routes: over which flights they are means, and where they mislead. */
 final class RouteNotes {
+    /** The part of its cruise speed at which an aircraft with wings still flies, roughly. */
+    private static final double LEAST_SPEED = 0.7;
+
     private final RouteInputs inputs;
 
     RouteNotes(RouteInputs inputs) {
@@ -37,6 +42,7 @@ final class RouteNotes {
                         unproven(results.survey()),
                         unseen(results.between()),
                         tooLate(results.survey()),
+                        tooSlow(results.survey()),
                         withoutAlert(results),
                         cued(results))
                 .flatMap(Optional::stream)
@@ -134,6 +140,37 @@ final class RouteNotes {
                                         + period(Set.of(sensor)))
                                 .orElse("the search knows only the middle of each cell")
                         + ".");
+    }
+
+    /**
+     * On which routes a drone that cannot hover is assumed to fly much more slowly than it can, because it climbs or
+     * descends steeply; empty if there are none.
+     */
+    private Optional<String> tooSlow(RouteSurvey survey) {
+        DroneSettings drone = inputs.settings().drones().get(inputs.drone());
+        double limit = drone.flightLimits().hover() ? 0.0 : LEAST_SPEED * drone.speed();
+        List<String> sectors = sectors(survey, route -> leastSpeed(route) < limit);
+        OptionalDouble least =
+                survey.routes().stream().mapToDouble(RouteNotes::leastSpeed).min();
+        return sectors.isEmpty()
+                ? Optional.empty()
+                : Optional.of("The drone cannot hover, but steep legs of the "
+                        + (sectors.size() == 1 ? "route" : "routes") + " from the " + listed(sectors)
+                        + " are flown as slowly as its rates of climb and descent require, down to "
+                        + number(least.orElseThrow()) + " m/s instead of " + number(drone.speed())
+                        + " m/s: a real one would need a longer way there.");
+    }
+
+    /** The least speed along a route, m/s. */
+    private static double leastSpeed(SectorRoute route) {
+        List<RoutePoint> points = route.searched().points();
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 1; i < points.size(); i++) {
+            double seconds = points.get(i).time() - points.get(i - 1).time();
+            double length = points.get(i).distance() - points.get(i - 1).distance();
+            least = seconds > 0.0 ? Math.min(least, length / seconds) : least;
+        }
+        return least;
     }
 
     /** Whether passages may exist that the search cannot find, since no cell shows them; empty if none is likely. */

@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.flight.Airframe;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.map.RouteMap;
@@ -246,6 +247,42 @@ class RouteWordsTest {
                 .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out")
                         && note.contains("try --cell 10m")
                         && note.endsWith("less than 30 m above the ground, add lower --heights."));
+    }
+
+    /** A leg of 50 m in 10 s: no aircraft with wings flies at less than half its cruise speed of 12 m/s. */
+    @Test
+    void aDroneThatCannotHoverIsNotSilentlyFlownTooSlowly() {
+        SectorRoute route = route(Map.of(), 0.0, List.of(List.of()));
+        RouteProfile slow = new RouteProfile(List.of(
+                new RoutePoint(0, 0, START, 30, 0, 0, true),
+                new RoutePoint(10, 50, new Position(0, 250, 60), 60, 0, 0, true),
+                new RoutePoint(30, 300, END, 30, 0, 0, true)));
+        RouteResults results =
+                results(new SectorRoute(0, route.route(), slow, Map.of(), Map.of(), route.flown()), Map.of());
+        RouteInputs winged = with(Airframe.FIXED_WING);
+
+        assertThat(new RouteNotes(winged).notes(results))
+                .contains(
+                        "The drone cannot hover, but steep legs of the route from the north are flown as slowly as its"
+                                + " rates of climb and descent require, down to 5 m/s instead of 12 m/s: a real one would need a"
+                                + " longer way there.");
+        assertThat(RouteFile.toJson(results, winged).get("notes").toString()).contains("down to 5 m/s");
+        assertThat(new RouteNotes(winged).notes(results(route, Map.of()))).noneMatch(note -> note.contains("hover"));
+        assertThat(new RouteNotes(inputs).notes(results)).noneMatch(note -> note.contains("hover"));
+    }
+
+    private RouteInputs with(Airframe airframe) {
+        SceneSettings settings = inputs.settings();
+        return new RouteInputs(
+                inputs.scene(),
+                inputs.drone(),
+                settings.withDrone(
+                        inputs.drone(), settings.drones().get(inputs.drone()).withAirframe(airframe)),
+                inputs.protection(),
+                inputs.grid(),
+                inputs.pointing(),
+                inputs.launch(),
+                inputs.stopped());
     }
 
     /** Looks at any moment would detect much more than in the cells, slow ones do not: no warning says so. */
