@@ -55,15 +55,24 @@ public record RouteInputs(
         return settings.alert().response();
     }
 
-    /** Where the search looks for routes, {@code in cells of 15 m, 10 to 150 m above the ground}. */
+    /**
+     * Where the search looks for routes, {@code in cells of 15 m, 10 to 150 m above the ground (the drone's ceiling is 500 m)}:
+     * the ceiling only if the search does not reach it.
+     */
     String cellsInWords() {
-        return "in cells of " + number(grid.cell()) + " m, " + heightsInWords() + " above the ground";
+        double ceiling = settings.drones().get(drone).flightLimits().ceiling();
+        return "in cells of " + number(grid.cell()) + " m, " + heightsInWords() + " above the ground"
+                + (ceiling > highest() ? " (the drone's ceiling is " + number(ceiling) + " m)" : "");
     }
 
     private String heightsInWords() {
         String lowest = number(lowest());
-        String highest = number(grid.heights().get(grid.heights().size() - 1));
+        String highest = number(highest());
         return (lowest.equals(highest) ? lowest : lowest + " to " + highest) + " m";
+    }
+
+    private double highest() {
+        return grid.heights().get(grid.heights().size() - 1);
     }
 
     /** The least height above the ground at which the search looks for routes, m. */

@@ -242,7 +242,9 @@ class RouteWordsTest {
         RouteResults results = results(route, Map.of());
 
         assertThat(new RouteWords(inputs).weakest(results))
-                .endsWith(". Routes were searched for in cells of 20 m, 30 m above the ground.");
+                .endsWith(
+                        ". Routes were searched for in cells of 20 m, 30 m above the ground (the drone's ceiling is 500"
+                                + " m).");
         assertThat(new RouteNotes(inputs).notes(results))
                 .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out")
                         && note.contains("try --cell 10m")
