@@ -15,6 +15,9 @@ public record SolverLimits(double gap, double seconds, BooleanSupplier isStopped
     /** No limits: the search ends once the layout is proven to be the best. */
     public static final SolverLimits NONE = new SolverLimits(0.0, Double.POSITIVE_INFINITY, () -> false);
 
+    /** How long a search may take once the user has asked for the end, s. */
+    private static final double LAST_SECONDS = 5.0;
+
     /** Checks the limits. */
     public SolverLimits {
         if (!(gap >= 0.0) || gap > 1.0) {
@@ -33,5 +36,13 @@ public record SolverLimits(double gap, double seconds, BooleanSupplier isStopped
     /** A copy with another time limit, s. */
     public SolverLimits withSeconds(double other) {
         return new SolverLimits(gap, other, isStopped);
+    }
+
+    /**
+     * What is left once the user has asked for the end: a few seconds for a layout of what was assessed by then. Under
+     * conditions such as a fold, a search that is stopped at once has none.
+     */
+    public SolverLimits afterInterruption() {
+        return new SolverLimits(gap, Math.min(seconds, LAST_SECONDS), () -> false);
     }
 }

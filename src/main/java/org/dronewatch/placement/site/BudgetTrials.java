@@ -13,7 +13,8 @@ import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * Tries budgets below that of a layout. Where conditions can only be met with more money, the cheapest budget that
- * suffices is found by bisection, and the others are spread above it.
+ * suffices is found by bisection, and the others are spread above it. As many are tried as are allowed, if there are so
+ * many sums of prices.
  *
  * @param <L> a layout for some objective
  */
@@ -56,9 +57,11 @@ final class BudgetTrials<L extends PlacedLayout> {
         if (!infeasible.isEmpty() && !isStopped) {
             cheapest();
         }
-        if (!infeasible.isEmpty() && !found.isEmpty() && !isStopped) {
+        if (!found.isEmpty() && !isStopped) {
+            // Where one sensor is dear and others are cheap, few sums are near evenly spaced budgets.
             List<Double> had = new ArrayList<>(found.keySet());
             had.add(limit);
+            had.add(infeasible.isEmpty() ? 0.0 : infeasible.last());
             attempt(BudgetSteps.between(sums, had, most - found.size()));
         }
         if (limit > 0.0 && !isStopped) {

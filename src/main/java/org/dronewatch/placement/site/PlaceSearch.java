@@ -51,14 +51,15 @@ public final class PlaceSearch {
      * @param assessed called when the assessment of the candidates ends, possibly because this thread was interrupted;
      *     it should then clear the interrupt status
      * @throws InputException when no layout complies with the conditions
-     * @throws CancellationException when this thread is interrupted before any candidate is assessed
+     * @throws CancellationException when this thread is interrupted before any candidate is assessed, or before there
+     *     is a layout of those assessed that complies with the conditions
      */
     public SitePlacement found(SolverLimits limits, IntConsumer progress, Runnable assessed) {
         Assessed air = assess(progress);
         assessed.run();
         PlacementProblem problem = problem(air.columns());
-        SolverLimits within = air.isWhole() ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
-        PlacementResult result = solver.solve(problem, within).orElseThrow(this::impossible);
+        PlacementResult result = solver.solve(problem, air.isWhole() ? limits : limits.afterInterruption())
+                .orElseThrow(() -> air.isWhole() ? impossible() : new CancellationException());
         // What was not assessed could cover everything.
         double bound = air.isWhole() ? result.bound() : cells.size();
         boolean isComplete = air.isWhole() && result.complete();

@@ -61,7 +61,8 @@ public final class WarningSearch {
      * @param assessed called when the assessment of the candidates ends, possibly because this thread was interrupted;
      *     it should then clear the interrupt status
      * @throws InputException when no layout complies with the conditions
-     * @throws CancellationException when this thread is interrupted before any candidate is assessed
+     * @throws CancellationException when this thread is interrupted before any candidate is assessed, or before there
+     *     is a layout of those assessed that complies with the conditions
      */
     public WarningPlacement found(SolverLimits limits, IntConsumer progress, Runnable assessed) {
         List<List<InboundWarnings>> warnings = new ArrayList<>();
@@ -72,8 +73,8 @@ public final class WarningSearch {
         assessed.run();
         double longest = ConditionedFlights.longest(warnings.get(0));
         PlacementProblem problem = problem(warnings, longest);
-        SolverLimits within = isWhole ? limits : new SolverLimits(limits.gap(), limits.seconds(), () -> true);
-        PlacementResult result = solver.solve(problem, within).orElseThrow(this::impossible);
+        PlacementResult result = solver.solve(problem, isWhole ? limits : limits.afterInterruption())
+                .orElseThrow(() -> isWhole ? impossible() : new CancellationException());
         double bound = isWhole ? result.bound() : isWorst ? 0.0 : longest;
         boolean isComplete = isWhole && result.complete();
         return new WarningPlacement(

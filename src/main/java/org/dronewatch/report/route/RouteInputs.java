@@ -56,8 +56,8 @@ public record RouteInputs(
     }
 
     /**
-     * Where the search looks for routes, {@code in cells of 15 m, 10 to 150 m above the ground (the drone's ceiling is 500 m)}:
-     * the ceiling only if the search does not reach it.
+     * Where the search looks for routes, {@code in cells of 15 m, 10 to 150 m above the ground}, and the drone's
+     * ceiling if the search does not reach it.
      */
     String cellsInWords() {
         double ceiling = settings.drones().get(drone).flightLimits().ceiling();

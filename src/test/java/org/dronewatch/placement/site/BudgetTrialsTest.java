@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,7 +31,11 @@ class BudgetTrialsTest {
     private BudgetFront<SitePlacement> front;
 
     private void search(String lines, int budgets) throws IOException {
-        PlacePlan plan = PlacePlan.read(PlacedSite.in(directory, lines), runner -> {}, note -> {});
+        search(PlacedSite.in(directory, lines), budgets);
+    }
+
+    private void search(Path file, int budgets) throws IOException {
+        PlacePlan plan = PlacePlan.read(file, runner -> {}, note -> {});
         CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
         whole = new PlaceSearch(plan, cells, new ExactSolver()).found(SolverLimits.NONE, some -> {}, () -> {});
         front = new FrontSearch<>(new CheaperCoverage(whole, cells, new ExactSolver()))
@@ -74,6 +79,16 @@ class BudgetTrialsTest {
         assertThat(front.points().get(0).cost()).isEqualTo(costs.first());
         assertThat(front.tried().all()).isTrue();
         assertThat(front.tried().infeasible()).isNotEmpty().isSorted().allMatch(budget -> budget < costs.first());
+    }
+
+    /** Between what all cheap sensors cost together and the price of a dear one, there is nothing to buy. */
+    @Test
+    void aDearSensorDoesNotTakeBudgetsFromCheapOnes() throws IOException {
+        Path file = PlacedSite.in(directory, "budget: 46\n");
+        search(Files.writeString(file, Files.readString(file).replace("price: 2\n", "price: 40\n")), FrontSearch.MOST);
+
+        assertThat(front.tried().infeasible()).isEmpty();
+        assertThat(front.tried().count()).isEqualTo(FrontSearch.MOST);
     }
 
     /** As many budgets with a layout are tried as were allowed, and the results name those without one. */

@@ -41,6 +41,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The best layout of a plain with four boxes against all choices among its candidates. */
 class PlaceSearchTest {
@@ -368,12 +369,13 @@ class PlaceSearchTest {
         assertThat(position.z()).isCloseTo(z, within(1e-4));
     }
 
-    /** Interrupted after half of the cells, the search chooses among the candidates that were assessed. */
-    @Test
-    void anInterruptedSearchGivesTheBestSoFar() throws IOException {
-        PlacePlan plan = plan("budget: 9\n");
+    /** Interrupted after two thirds of the cells, the search chooses among the candidates that were assessed. */
+    @ParameterizedTest
+    @ValueSource(strings = {"{}", "{fold: 2}", "{anyoneLost: {atLeast: 0.1}}"})
+    void anInterruptedSearchGivesTheBestSoFar(String conditions) throws IOException {
+        PlacePlan plan = plan("budget: 9\nconditions: " + conditions + "\n");
         CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
-        AtomicInteger left = new AtomicInteger((int) cells.looks() / 2);
+        AtomicInteger left = new AtomicInteger((int) cells.looks() / 3 * 2);
         SitePlacement placement = new PlaceSearch(plan, cells, new ExactSolver())
                 .found(
                         SolverLimits.NONE,
@@ -387,9 +389,27 @@ class PlaceSearchTest {
         assertThat(placement.complete()).isFalse();
         assertThat(placement.value()).isPositive();
         assertThat(placement.bound()).isEqualTo(1.0);
-        assertThat(placement.chosen())
-                .isNotEmpty()
-                .allMatch(one -> placement.alone(one).orElseThrow() > 0.0);
+        assertThat(placement.chosen()).isNotEmpty();
+        assertThat(placement.problem().isAllowed(placement.result().chosen())).isTrue();
+    }
+
+    /** No layout of those assessed complies, but that of others might: the conditions are not to blame. */
+    @Test
+    void anInterruptedSearchWithoutALayoutDoesNotBlameTheConditions() throws IOException {
+        PlacePlan plan = plan("budget: 9\nconditions: {anyoneLost: {atLeast: 0.3}}\n");
+        CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
+        AtomicInteger left = new AtomicInteger((int) cells.looks() / 5);
+
+        assertThatThrownBy(() -> new PlaceSearch(plan, cells, new ExactSolver())
+                        .found(
+                                SolverLimits.NONE,
+                                some -> {
+                                    if (left.addAndGet(-some) < 0) {
+                                        Thread.currentThread().interrupt();
+                                    }
+                                },
+                                Thread::interrupted))
+                .isInstanceOf(CancellationException.class);
     }
 
     @Test

@@ -33,7 +33,7 @@ class KnownInstancesTest {
     /** J. E. Beasley, A note on solving large p-median problems (1985): optima of the OR-Library. */
     @ParameterizedTest
     @CsvSource({"pmed1.txt, 5819", "pmed2.txt, 4093", "pmed5.txt, 1355", "pmed10.txt, 1255"})
-    void provesMediansOfNetworks(String name, double optimum) {
+    void provesMediansOfNetworks(String name, double optimum) throws IOException {
         PlacementResult result = median(name, SolverLimits.NONE);
 
         assertThat(result.value()).isEqualTo(optimum);
@@ -44,7 +44,7 @@ class KnownInstancesTest {
 
     /** 900 vertices, of which 90 are chosen; the optimum is 5128. */
     @Test
-    void comesWithinOnePercentOfTheLargestNetwork() {
+    void comesWithinOnePercentOfTheLargestNetwork() throws IOException {
         assumeTrue(LongForm.IS_ON, "the long form alone");
         PlacementResult result = median("pmed40.txt", SolverLimits.NONE.withGap(0.01));
 
@@ -53,18 +53,18 @@ class KnownInstancesTest {
         assertThat(result.bound()).isBetween(result.value() / 1.01, 5128.0);
     }
 
-    private static PlacementResult median(String name, SolverLimits limits) {
+    private PlacementResult median(String name, SolverLimits limits) throws IOException {
         return solve(
-                KnownInstances.network(name),
+                reread(KnownInstances.network(name)),
                 PlacementObjective.MEAN_IMPACT,
                 PlacementConditions.NONE.withAtMost(KnownInstances.chosen(name)),
                 limits);
     }
 
     @Test
-    void provesTheCentreOfANetwork() {
+    void provesTheCentreOfANetwork() throws IOException {
         PlacementResult result = solve(
-                KnownInstances.network("pmed1.txt"),
+                reread(KnownInstances.network("pmed1.txt")),
                 PlacementObjective.WORST_IMPACT,
                 PlacementConditions.NONE.withAtMost(5),
                 SolverLimits.NONE);
@@ -74,8 +74,8 @@ class KnownInstancesTest {
     }
 
     @Test
-    void provesTheSensorsOfTheWaterNetwork() {
-        CandidateTable table = KnownInstances.waterNetwork();
+    void provesTheSensorsOfTheWaterNetwork() throws IOException {
+        CandidateTable table = reread(KnownInstances.waterNetwork());
         PlacementResult result =
                 solve(table, PlacementObjective.MEAN_IMPACT, PlacementConditions.NONE.withAtMost(5), SolverLimits.NONE);
 
@@ -104,9 +104,9 @@ class KnownInstancesTest {
 
     /** The four stores, found by trying all choices; pysal/spopt has the data. */
     @Test
-    void provesTheStoresOfSanFrancisco() {
-        CandidateTable byDemand = KnownInstances.stores(true);
-        CandidateTable byNumber = KnownInstances.stores(false);
+    void provesTheStoresOfSanFrancisco() throws IOException {
+        CandidateTable byDemand = reread(KnownInstances.stores(true));
+        CandidateTable byNumber = reread(KnownInstances.stores(false));
         PlacementResult demand = stores(byDemand);
         PlacementResult number = stores(byNumber);
 
@@ -123,7 +123,7 @@ class KnownInstancesTest {
 
     /** The worked example of chama's documentation. */
     @Test
-    void provesTheExampleOfChama() {
+    void provesTheExampleOfChama() throws IOException {
         List<Candidate> sensors = List.of(
                 new Candidate("A", 100), new Candidate("B", 200), new Candidate("C", 400), new Candidate("D", 500));
         List<CandidateColumn> impacts = List.of(
@@ -131,8 +131,8 @@ class KnownInstancesTest {
                 column(new int[] {2}, 4),
                 column(new int[] {3}, 1),
                 column(new int[] {4}, 2));
-        CandidateTable table = new CandidateTable(
-                sensors, impacts, new double[] {.15, .5, .05, .2, .1}, new double[] {50, 250, 100, 75, 225});
+        CandidateTable table = reread(new CandidateTable(
+                sensors, impacts, new double[] {.15, .5, .05, .2, .1}, new double[] {50, 250, 100, 75, 225}));
         PlacementResult result = solve(
                 table, PlacementObjective.MEAN_IMPACT, PlacementConditions.NONE.withBudget(1000), SolverLimits.NONE);
 
@@ -140,6 +140,36 @@ class KnownInstancesTest {
         assertThat(result.value()).isCloseTo(7.2, within(1e-12));
         assertThat(result.bound()).isCloseTo(7.2, within(1e-9));
         assertThat(result.cost()).isEqualTo(1000.0);
+    }
+
+    /** A table as users give it: written to two files, and read as theirs are. */
+    private CandidateTable reread(CandidateTable table) throws IOException {
+        StringBuilder candidates = new StringBuilder("name,cost\n");
+        StringBuilder values = new StringBuilder("row,candidate,value,weight\n");
+        for (int row = 0; row < table.rows(); row++) {
+            if (!Double.isNaN(table.undetected(row))) {
+                values.append(line(table, row, "", table.undetected(row)));
+            }
+        }
+        for (int number = 0; number < table.size(); number++) {
+            Candidate candidate = table.candidates().get(number);
+            candidates
+                    .append(candidate.name())
+                    .append(',')
+                    .append(candidate.cost())
+                    .append('\n');
+            CandidateColumn column = table.column(number);
+            for (int at = 0; at < column.size(); at++) {
+                values.append(line(table, column.row(at), candidate.name(), column.value(at)));
+            }
+        }
+        return CandidateTableReader.read(
+                Files.writeString(directory.resolve("candidates.csv"), candidates),
+                Files.writeString(directory.resolve("values.csv"), values));
+    }
+
+    private static String line(CandidateTable table, int row, String candidate, double value) {
+        return "row " + row + "," + candidate + "," + value + "," + table.weight(row) + "\n";
     }
 
     private static CandidateColumn column(int[] rows, double... values) {
