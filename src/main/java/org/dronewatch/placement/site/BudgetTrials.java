@@ -61,7 +61,7 @@ final class BudgetTrials<L extends PlacedLayout> {
             // Where one sensor is dear and others are cheap, few sums are near evenly spaced budgets.
             List<Double> had = new ArrayList<>(found.keySet());
             had.add(limit);
-            had.add(infeasible.isEmpty() ? 0.0 : infeasible.last());
+            had.add(infeasible.isEmpty() ? Double.valueOf(0.0) : infeasible.last());
             attempt(BudgetSteps.between(sums, had, most - found.size()));
         }
         if (limit > 0.0 && !isStopped) {
