@@ -86,28 +86,39 @@ class PlaceMonacoTest {
     /** The exposure before which there is time to respond, as the search promises it, and as the routes are flown. */
     @Test
     void weakestRoute() throws IOException {
-        for (String budget : List.of("45000", "85000")) {
-            PlacedLayout place = place(
-                    "objective: weakest-route\nair: {side: 1200 m, cell: 60 m, heights: [20 m, 60 m, 120 m]}\n",
-                    "--budget=" + budget);
-            JsonNode routes = place.json("route", "--out=" + directory.resolve("routes-" + budget))
-                    .get("routes");
-            double least = Double.MAX_VALUE;
-            for (int sector = 0; sector < routes.size(); sector++) {
-                JsonNode route = routes.get(sector);
-                JsonNode flown = place.promised().get("flown").get(sector);
-                least = Math.min(least, route.get("upper").asDouble());
-                assertThat(flown.get("sector")).isEqualTo(route.get("sector"));
-                assertThat(flown.get("layout").asDouble())
-                        .isCloseTo(route.get("p_in_time").asDouble(), within(ROUNDING));
-            }
-
-            assertThat(routes.size()).isEqualTo(8);
-            assertThat(place.promised().get("route").get("exposure").asDouble())
-                    .isCloseTo(least, within(1e-3 * least + ROUNDING));
-            assertThat(place.promised().get("value").asDouble())
-                    .isCloseTo(Math.min(least, WeakestRouteSearch.ENOUGH), within(1e-3 * least + ROUNDING));
+        PlacedLayout place = placeAgainstRoutes("85000");
+        JsonNode routes =
+                place.json("route", "--out=" + directory.resolve("routes")).get("routes");
+        double least = Double.MAX_VALUE;
+        for (int sector = 0; sector < routes.size(); sector++) {
+            JsonNode route = routes.get(sector);
+            JsonNode flown = place.promised().get("flown").get(sector);
+            least = Math.min(least, route.get("upper").asDouble());
+            assertThat(flown.get("sector")).isEqualTo(route.get("sector"));
+            assertThat(flown.get("layout").asDouble())
+                    .isCloseTo(route.get("p_in_time").asDouble(), within(ROUNDING));
         }
+
+        assertThat(routes.size()).isEqualTo(8);
+        assertThat(place.promised().get("route").get("exposure").asDouble())
+                .isCloseTo(least, within(1e-3 * least + ROUNDING));
+        assertThat(place.promised().get("value").asDouble())
+                .isCloseTo(Math.min(least, WeakestRouteSearch.ENOUGH), within(1e-3 * least + ROUNDING));
+    }
+
+    /** With this budget, a route remains past every layout on which nothing detects the drone. */
+    @Test
+    void nothingIsBoughtThatGainsNothing() throws IOException {
+        PlacedLayout place = placeAgainstRoutes("45000");
+
+        assertThat(place.promised().get("value").asDouble()).isZero();
+        assertThat(place.promised().get("chosen")).isEmpty();
+    }
+
+    private PlacedLayout placeAgainstRoutes(String budget) throws IOException {
+        return place(
+                "objective: weakest-route\nair: {side: 1200 m, cell: 60 m, heights: [20 m, 60 m, 120 m]}\n",
+                "--budget=" + budget);
     }
 
     /**
