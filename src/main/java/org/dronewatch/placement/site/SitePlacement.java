@@ -1,7 +1,5 @@
 package org.dronewatch.placement.site;
 
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -111,47 +109,8 @@ public record SitePlacement(
 
     @Override
     public List<PlaceStep> purchases() {
-        List<Integer> bought = new ArrayList<>(FrontSearch.kept(this));
-        List<PlaceStep> steps = new ArrayList<>();
-        for (Integer next : isOrderedBackwards() ? backwards(bought) : forwards(bought)) {
-            bought.add(next);
-            steps.add(new PlaceStep(
-                    plan.candidates().get(next).name(), problem.cost(bought), problem.value(bought) / rows));
-        }
-        return steps;
-    }
-
-    private List<Integer> backwards(List<Integer> kept) {
-        return BuyingOrder.backwards(
-                kept,
-                result.chosen(),
-                number -> plan.candidates().get(number).candidate().cost(),
-                problem::value);
-    }
-
-    private List<Integer> forwards(List<Integer> kept) {
-        List<Integer> bought = new ArrayList<>(kept);
-        List<Integer> left = new ArrayList<>(result.chosen());
-        left.removeAll(bought);
-        List<Integer> order = new ArrayList<>();
-        while (!left.isEmpty()) {
-            double before = problem.value(bought);
-            Integer next = left.stream()
-                    .max(Comparator.comparingDouble((Integer number) -> gained(number, bought, before))
-                            .thenComparing(Comparator.reverseOrder()))
-                    .orElseThrow();
-            left.remove(next);
-            bought.add(next);
-            order.add(next);
-        }
-        return order;
-    }
-
-    private double gained(int number, List<Integer> bought, double before) {
-        List<Integer> more = new ArrayList<>(bought);
-        more.add(number);
-        double price = plan.candidates().get(number).candidate().cost();
-        double gain = problem.value(more) - before;
-        return price > 0.0 ? gain / price : gain > 0.0 ? Double.MAX_VALUE : 0.0;
+        return new BuyingOrder(
+                        number -> plan.candidates().get(number).candidate().cost(), problem::value, number -> 0.0)
+                .steps(this, problem, rows);
     }
 }

@@ -2,7 +2,6 @@ package org.dronewatch.placement.site;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -165,55 +164,13 @@ public record WarningPlacement(
         return remaining;
     }
 
+    /** Where none lengthens the shortest warning, next is the one that gives the most warnings for its price. */
     @Override
     public List<PlaceStep> purchases() {
-        List<Integer> bought = new ArrayList<>(FrontSearch.kept(this));
-        List<PlaceStep> steps = new ArrayList<>();
-        for (Integer next : isOrderedBackwards() ? backwards(bought) : forwards(bought)) {
-            bought.add(next);
-            steps.add(new PlaceStep(plan.candidates().get(next).name(), problem.cost(bought), warning(bought)));
-        }
-        return steps;
-    }
-
-    private List<Integer> backwards(List<Integer> kept) {
-        return BuyingOrder.backwards(
-                kept,
-                result.chosen(),
-                number -> plan.candidates().get(number).candidate().cost(),
-                this::warning);
-    }
-
-    /** Where none lengthens the shortest warning, next is the one that gives the most warnings for its price. */
-    private List<Integer> forwards(List<Integer> kept) {
-        List<Integer> bought = new ArrayList<>(kept);
-        List<Integer> left = new ArrayList<>(result.chosen());
-        left.removeAll(bought);
-        List<Integer> order = new ArrayList<>();
-        while (!left.isEmpty()) {
-            double before = warning(bought);
-            Integer next = left.stream()
-                    .max(Comparator.comparingDouble(
-                                    (Integer number) -> perPrice(number, warning(with(bought, number)) - before))
-                            .thenComparingDouble(number -> perPrice(
-                                    number, problem.table().column(number).size()))
-                            .thenComparing(Comparator.reverseOrder()))
-                    .orElseThrow();
-            left.remove(next);
-            bought.add(next);
-            order.add(next);
-        }
-        return order;
-    }
-
-    private static List<Integer> with(List<Integer> bought, Integer number) {
-        List<Integer> more = new ArrayList<>(bought);
-        more.add(number);
-        return more;
-    }
-
-    private double perPrice(int number, double gain) {
-        double price = plan.candidates().get(number).candidate().cost();
-        return price > 0.0 ? gain / price : gain > 0.0 ? Double.MAX_VALUE : 0.0;
+        return new BuyingOrder(
+                        number -> plan.candidates().get(number).candidate().cost(),
+                        this::warning,
+                        number -> problem.table().column(number).size())
+                .steps(this, problem, 1.0);
     }
 }

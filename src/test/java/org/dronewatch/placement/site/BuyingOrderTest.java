@@ -25,6 +25,9 @@ class BuyingOrderTest {
 
     private static final List<Double> PRICES = List.of(31.0, 19.0, 19.0, 5.0);
 
+    private static final BuyingOrder ORDER =
+            new BuyingOrder(PRICES::get, BuyingOrderTest::worth, number -> number == 2 ? 1.0 : 0.0);
+
     private static double worth(List<Integer> some) {
         return WORTH.getOrDefault(new TreeSet<>(some), 0.0);
     }
@@ -32,13 +35,18 @@ class BuyingOrderTest {
     /** By what each adds, 0 would come first, since none is worth anything by itself. */
     @Test
     void thePairThatIsWorthMostForItsPriceComesFirst() {
-        assertThat(BuyingOrder.backwards(List.of(), List.of(0, 1, 2), PRICES::get, BuyingOrderTest::worth))
-                .containsExactly(1, 2, 0);
+        assertThat(ORDER.backwards(List.of(), List.of(0, 1, 2))).containsExactly(1, 2, 0);
     }
 
     @Test
     void whatAddsNothingComesLastAndWhatIsKeptIsNotBought() {
-        assertThat(BuyingOrder.backwards(List.of(0), List.of(0, 1, 2, 3), PRICES::get, BuyingOrderTest::worth))
-                .containsExactly(1, 2, 3);
+        assertThat(ORDER.backwards(List.of(0), List.of(0, 1, 2, 3))).containsExactly(1, 2, 3);
+    }
+
+    /** None adds anything at first: then the tie-breaker decides, for its price, and then the number. */
+    @Test
+    void theTieBreakerDecidesWhereNoneAddsMore() {
+        assertThat(ORDER.forwards(List.of(), List.of(0, 1, 2))).containsExactly(2, 1, 0);
+        assertThat(ORDER.forwards(List.of(0), List.of(0, 1, 2, 3))).containsExactly(1, 2, 3);
     }
 }
