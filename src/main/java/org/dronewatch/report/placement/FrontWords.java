@@ -3,6 +3,7 @@ package org.dronewatch.report.placement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacedLayout;
@@ -32,7 +33,7 @@ final class FrontWords {
         List<String> lines = new ArrayList<>();
         List<? extends FrontPoint<? extends PlacedLayout>> points = front.points();
         if (points.size() < 2) {
-            infeasible(front.tried()).ifPresent(lines::add);
+            infeasible(front.tried(), Numbers::text).ifPresent(lines::add);
             return lines;
         }
         lines.add("");
@@ -49,27 +50,27 @@ final class FrontWords {
                     change(point)));
             before = point.cost();
         }
-        lines.addAll(tried(front.tried()));
+        lines.addAll(tried(front.tried(), Numbers::text));
         return lines;
     }
 
-    /** What was tried besides the layouts of the table, in sentences. */
-    List<String> tried(TriedBudgets tried) {
+    /** What was tried besides the layouts of the table, in sentences, with amounts of money in words. */
+    List<String> tried(TriedBudgets tried, DoubleFunction<String> money) {
         List<String> sentences = new ArrayList<>();
         if (!tried.all()) {
             sentences.add(
                     Counted.of(tried.count(), "budget") + " were tried: a better buy may lie between two of them.");
         }
-        infeasible(tried).ifPresent(sentences::add);
+        infeasible(tried, money).ifPresent(sentences::add);
         return sentences;
     }
 
     /** The budgets that are too low for the conditions, in a sentence; empty if there are none. */
-    Optional<String> infeasible(TriedBudgets tried) {
+    private static Optional<String> infeasible(TriedBudgets tried, DoubleFunction<String> money) {
         return tried.infeasible().isEmpty()
                 ? Optional.empty()
                 : Optional.of("No layout complies with the conditions for these budgets, which were also tried: "
-                        + list(tried.infeasible().stream().map(Numbers::text).toList()) + ".");
+                        + list(tried.infeasible().stream().map(money::apply).toList()) + ".");
     }
 
     /** {@code radar-2 in place of radio-1; closes the west at 30 to 60 m (12.0 % before, 98.1 % now)}. */

@@ -165,7 +165,7 @@ final class PlaceReport {
                                 + " middle of the area.")
                 + Html.table(
                         List.of(words.priced("cost"), "added cost", measure.heading(), "upper bound", "change"), rows)
-                + front.tried(results.front().tried()).stream()
+                + front.tried(results.front().tried(), PlaceWords::money).stream()
                         .map(sentence -> Html.plain("p", sentence))
                         .collect(Collectors.joining());
     }

@@ -1,0 +1,21 @@
+package org.dronewatch.report.placement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.dronewatch.placement.site.TriedBudgets;
+import org.junit.jupiter.api.Test;
+
+class FrontWordsTest {
+    /** In reports, amounts are written as in the tables beside them. */
+    @Test
+    void budgetsThatAreTooLowAreWrittenAsOtherAmounts() {
+        TriedBudgets tried = new TriedBudgets(14, List.of(20_000.0, 45_000.0), false);
+
+        assertThat(new FrontWords(new ShareMeasure(1)).tried(tried, PlaceWords::money))
+                .containsExactly(
+                        "14 budgets were tried: a better buy may lie between two of them.",
+                        "No layout complies with the conditions for these budgets, which were also tried: 20\u202f000 and"
+                                + " 45\u202f000.");
+    }
+}
