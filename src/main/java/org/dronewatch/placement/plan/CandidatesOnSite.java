@@ -33,12 +33,12 @@ import org.dronewatch.world.Visibility;
 /** The sensors that a placement file offers, at each of their places and with each of their aims. */
 final class CandidatesOnSite {
     /** Maximum number of candidates. */
+    private static final int MOST = 1000;
+
     private static final double FULL_TURN = 360.0;
 
     /** Digits after the point of an angle in degrees: those that rounding does not spoil. */
     private static final int DECIMALS = 9;
-
-    private static final int MOST = 1000;
 
     private static final String OFFERS = "candidates.";
 
