@@ -172,8 +172,10 @@ final class RouteCommand implements Callable<Integer> {
     }
 
     private RouteInputs inputs(String scene, String id, SceneSettings settings, Stage stage) {
-        FieldGrid grid =
-                options.grid(InboundTarget.of(settings, stage.protection()), RouteArea.side(settings, stage, id));
+        FieldGrid grid = options.grid(
+                InboundTarget.of(settings, stage.protection()),
+                RouteArea.side(settings, stage, id),
+                settings.individualDrones().get(id).flightLimits().ceiling());
         return new RouteInputs(
                 scene,
                 id,

@@ -90,7 +90,7 @@ record RouteSite(
                 limits.endurance(),
                 starts,
                 goals,
-                nodes.near(protection, middle, reach + nodes.diagonal()),
+                nodes.ends(protection, middle, reach),
                 Passage.through(stage.world()),
                 !protection.isEmpty() && reach == 0.0 ? protection::entry : RouteEnd.AT_NODE,
                 settings.alert().response(),

@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.fusion.AreaZone;
@@ -115,14 +116,11 @@ final class SiteNodes {
 
     /** The open nodes within a distance of the protected zone, or in plan view of the middle of the sensors, m. */
     BitSet near(Protection protection, Position middle, double distance) {
-        return open(
-                node -> {
-                    Position at = grid.position(node);
-                    return protection.isEmpty()
-                            ? Math.hypot(at.x() - middle.x(), at.y() - middle.y())
-                            : protection.distance(at);
-                },
-                distance);
+        return open(node -> distance(protection, middle, grid.position(node)), distance);
+    }
+
+    private static double distance(Protection protection, Position middle, Position at) {
+        return protection.isEmpty() ? Math.hypot(at.x() - middle.x(), at.y() - middle.y()) : protection.distance(at);
     }
 
     /**
@@ -157,19 +155,45 @@ final class SiteNodes {
         return found;
     }
 
-    /** The longest diagonal of a cube between nodes, m. */
-    double diagonal() {
-        double rise = grid.levels() > 1 ? grid.height(grid.levels() - 1) : 0.0;
-        double gap = 0.0;
-        for (int level = 1; level < grid.levels(); level++) {
-            gap = Math.max(gap, grid.height(level) - grid.height(level - 1));
+    /**
+     * The nodes of all cubes in which a route may end because it comes within a distance of the protected zone or, in
+     * plan view, of the middle of the sensors, m.
+     */
+    BitSet ends(Protection protection, Position middle, double distance) {
+        BitSet ends = new BitSet();
+        for (int low = 0; low < Math.max(1, grid.levels() - 1); low++) {
+            int high = Math.min(low + 1, grid.levels() - 1);
+            for (int square = 0; square < (grid.columns() - 1) * (grid.rows() - 1); square++) {
+                int column = square % (grid.columns() - 1);
+                int row = square / (grid.columns() - 1);
+                if (mayEnd(column, row, low, high, at -> distance(protection, middle, at) - distance)) {
+                    for (int i = 0; i < 4; i++) {
+                        ends.set(grid.node(column + i % 2, row + i / 2, low));
+                        ends.set(grid.node(column + i % 2, row + i / 2, high));
+                    }
+                }
+            }
         }
-        for (int cell = 0; rise > 0.0 && cell < grid.columns() * grid.rows(); cell++) {
-            int column = Math.min(cell % grid.columns(), grid.columns() - 2);
-            int row = Math.min(cell / grid.columns(), grid.rows() - 2);
-            double[] ground = grid.groundRange(column, row);
-            rise = Math.max(rise, gap + ground[1] - ground[0]);
-        }
-        return Math.sqrt(2.0 * grid.spacing() * grid.spacing() + rise * rise);
+        return ends;
+    }
+
+    /**
+     * Whether a distance may be 0 or less somewhere in a cube. A cube between two levels far above the ground is much
+     * higher than it is wide: it is looked at in pieces, so that its top does not count as near because its bottom is.
+     */
+    private boolean mayEnd(int column, int row, int low, int high, ToDoubleFunction<Position> distance) {
+        double[] ground = grid.groundRange(column, row);
+        double bottom = ground[0] + grid.height(low);
+        double depth = ground[1] + grid.height(high) - bottom;
+        double width = grid.spacing();
+        int pieces = Math.max(1, (int) Math.ceil(depth / width));
+        double piece = depth / pieces;
+        double reach = 0.5 * Math.sqrt(2.0 * width * width + piece * piece);
+        int corner = grid.node(column, row, low);
+        double x = grid.x(corner) + 0.5 * width;
+        double y = grid.y(corner) + 0.5 * width;
+        return IntStream.range(0, pieces)
+                .mapToObj(i -> new Position(x, y, bottom + (i + 0.5) * piece))
+                .anyMatch(at -> distance.applyAsDouble(at) <= reach);
     }
 }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.cell.RouteHeights;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geometry.Position;
@@ -18,9 +19,6 @@ import picocli.CommandLine.Option;
 
 /** The options of {@code route} that decide over which cells it searches, and from where. */
 public final class RouteOptions {
-    /** Heights above the ground at which a drone may fly, m. */
-    static final List<Double> HEIGHTS = List.of(10.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0);
-
     private static final String LAUNCH = "--launch";
     private static final String MODES = "--modes";
     private static final String RESPONSE = "--response";
@@ -43,8 +41,8 @@ public final class RouteOptions {
             names = "--heights",
             paramLabel = "H,H,...",
             description =
-                    "Heights above the ground at which the drone may fly; 10, 20, 30, 45, 60, 90, 120 and 150 m by"
-                            + " default.")
+                    "Heights above the ground at which the drone may fly; by default 2, 5, 10, 20, 30, 45, 60, 90, 120, 150"
+                            + " and 250 m, then twice as high each time, up to the drone's ceiling, which is the last.")
     private String heights;
 
     @Option(
@@ -84,7 +82,7 @@ public final class RouteOptions {
 
     /** Checks what can be checked before anything is loaded, and passes on the response. */
     public void apply(SceneRunner runner) {
-        heights();
+        given();
         length("side", side);
         length("cell", cell);
         pointing();
@@ -155,13 +153,15 @@ public final class RouteOptions {
      *
      * @param middle of the area, m
      * @param usual length of its side unless another was given, m
+     * @param ceiling of the drone, up to which the heights reach unless others were given, m
      */
-    public FieldGrid grid(Position middle, double usual) {
+    public FieldGrid grid(Position middle, double usual, double ceiling) {
         double across = length("side", side).orElse(usual);
         double edge = length("cell", cell).orElse(across / FieldGrid.DEFAULT_CELLS);
         FieldGrid grid;
         try {
-            grid = new FieldGrid(middle.x(), middle.y(), across, edge, heights());
+            grid = new FieldGrid(
+                    middle.x(), middle.y(), across, edge, given().orElseGet(() -> RouteHeights.upTo(ceiling)));
         } catch (IllegalArgumentException e) {
             throw new InputException("--cell: " + e.getMessage(), e);
         }
@@ -178,8 +178,9 @@ public final class RouteOptions {
                 : OptionalDouble.of((double) FieldOptions.value(name, text, FieldGrid.class, name));
     }
 
-    private List<Double> heights() {
-        return heights == null ? HEIGHTS : GridOptions.heights(heights);
+    /** The heights that were given, m. */
+    private Optional<List<Double>> given() {
+        return Optional.ofNullable(heights).map(GridOptions::heights);
     }
 
     /** The area from which the routes come, in plan view; empty for the edge. */

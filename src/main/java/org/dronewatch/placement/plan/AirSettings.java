@@ -24,7 +24,7 @@ import org.dronewatch.setting.input.LinkOut;
  *     {@code route}
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
  * @param heights heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and
- *     150 m by default
+ *     150 m by default. For {@code weakest-route}, by default those of {@code route}, up to the drone's ceiling
  * @param covered minimum probability of detection at which a sensor covers a cell, 0.008 to 0.996, or 1; 0.5 by default
  * @param within time within which a sensor must detect the drone, s; a single look by default
  * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell counts
@@ -39,7 +39,7 @@ public record AirSettings(
         Optional<String> area,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> side,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> cell,
-        @In(value = Quantity.LENGTH, above = 0, to = FieldGrid.HIGHEST) List<Double> heights,
+        @In(value = Quantity.LENGTH, above = 0, to = FieldGrid.HIGHEST) Optional<List<Double>> heights,
         @In(value = Quantity.RATIO, from = FieldCoverage.LEAST_COVERED, to = 1) double covered,
         @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within,
         Heading heading,
@@ -59,7 +59,7 @@ public record AirSettings(
             Optional.empty(),
             Optional.empty(),
             Optional.empty(),
-            FieldGrid.HEIGHTS,
+            Optional.empty(),
             FieldCoverage.DEFAULT_COVERED,
             Optional.empty(),
             Heading.ANY,
@@ -70,12 +70,17 @@ public record AirSettings(
     public AirSettings {
         Limits.check(AirSettings.class, area, side, cell, heights, covered, within, heading, conditions, pointing);
         FieldCoverage.checkedProbability(covered);
-        heights = FieldGrid.checkedHeights(heights);
+        heights = heights.map(FieldGrid::checkedHeights);
     }
 
     /** The side of the square, m: that of {@code coverage} unless it is given. */
     public double square() {
         return side.orElse(FieldGrid.DEFAULT_SIDE);
+    }
+
+    /** The heights above the ground, m: those of {@code coverage} unless they are given. */
+    public List<Double> levels() {
+        return heights.orElse(FieldGrid.HEIGHTS);
     }
 
     /**

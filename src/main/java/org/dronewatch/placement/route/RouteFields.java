@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.analysis.cell.RouteHeights;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldCoverage;
@@ -79,9 +80,14 @@ final class RouteFields {
         AirSettings air = plan.settings().air();
         Position middle = InboundTarget.of(plan.present(), stage.protection());
         double side = air.side().orElseGet(() -> RouteArea.side(plan.present(), stage, plan.drone()));
+        List<Double> heights = air.heights()
+                .orElseGet(() -> RouteHeights.upTo(DetectionField.droneOf(stage, plan.drone())
+                        .settings()
+                        .flightLimits()
+                        .ceiling()));
         FieldGrid cells;
         try {
-            cells = new FieldGrid(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.heights());
+            cells = new FieldGrid(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), heights);
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

@@ -102,8 +102,8 @@ public final class CoveredCells {
                 AreaZone zone = AreaZone.inPlan(air.area().get(), plan.present().alert())
                         .orElseThrow(
                                 () -> noArea(air.area().get(), plan.present().alert()));
-                double side = FieldGrid.over(zone, air.square(), air.heights()).side();
-                return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.heights());
+                double side = FieldGrid.over(zone, air.square(), air.levels()).side();
+                return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.levels());
             }
             double east = plan.candidates().stream()
                     .mapToDouble(one -> one.sensor().position().x())
@@ -113,7 +113,7 @@ public final class CoveredCells {
                     .mapToDouble(one -> one.sensor().position().y())
                     .average()
                     .orElse(0.0);
-            return FieldGrid.square(east, north, air.square(), air.cell().orElse(air.square() / CELLS), air.heights());
+            return FieldGrid.square(east, north, air.square(), air.cell().orElse(air.square() / CELLS), air.levels());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

@@ -58,12 +58,12 @@ final class WarningFlights {
                 AreaZone zone = AreaZone.inPlan(air.area().get(), plan.present().alert())
                         .orElseThrow(() ->
                                 new InputException("air.area " + air.area().get() + ": no such zone"));
-                double side = FieldGrid.over(zone, air.square(), air.heights()).side();
-                return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.heights());
+                double side = FieldGrid.over(zone, air.square(), air.levels()).side();
+                return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.levels());
             }
             Position middle = InboundTarget.of(plan.present(), stage.protection());
             double side = air.square();
-            return FieldGrid.square(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.heights());
+            return FieldGrid.square(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.levels());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

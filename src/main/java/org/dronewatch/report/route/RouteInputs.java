@@ -55,24 +55,27 @@ public record RouteInputs(
         return settings.alert().response();
     }
 
-    /**
-     * Where the search looks for routes, {@code in cells of 15 m, 10 to 150 m above the ground}, and the drone's
-     * ceiling if the search does not reach it.
-     */
+    /** Where the search looks for routes, {@code in cells of 15 m, 10 to 150 m above the ground}. */
     String cellsInWords() {
-        double ceiling = settings.drones().get(drone).flightLimits().ceiling();
-        return "in cells of " + number(grid.cell()) + " m, " + heightsInWords() + " above the ground"
-                + (ceiling > highest() ? " (the drone's ceiling is " + number(ceiling) + " m)" : "");
+        return "in cells of " + number(grid.cell()) + " m, " + heightsInWords() + " above the ground";
     }
 
-    private String heightsInWords() {
+    /** At which heights above the ground the search looks for routes, {@code 10 to 150 m}. */
+    String heightsInWords() {
         String lowest = number(lowest());
         String highest = number(highest());
         return (lowest.equals(highest) ? lowest : lowest + " to " + highest) + " m";
     }
 
-    private double highest() {
-        return grid.heights().get(grid.heights().size() - 1);
+    /** The greatest height above the ground at which the search looks for routes, m. */
+    double highest() {
+        double most = ceiling();
+        return grid.heights().stream().filter(height -> height <= most).reduce(lowest(), Math::max);
+    }
+
+    /** The greatest height above the ground at which the drone can fly, m. */
+    double ceiling() {
+        return settings.individualDrones().get(drone).flightLimits().ceiling();
     }
 
     /** The least height above the ground at which the search looks for routes, m. */

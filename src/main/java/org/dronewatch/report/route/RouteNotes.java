@@ -40,6 +40,7 @@ final class RouteNotes {
         return Stream.of(
                         begins(results.survey()),
                         unproven(results.survey()),
+                        new HeightNotes(inputs).belowCeiling(),
                         unseen(results.between()),
                         tooLate(results.survey()),
                         tooSlow(results.survey()),
@@ -114,8 +115,11 @@ final class RouteNotes {
                         + " cannot be ruled out: the lower bound of the exposure allows a detection"
                         + (survey.response() > 0.0 ? " in time" : "")
                         + " that is more than 20 percentage points less likely. To look for them between the middles of cells,"
-                        + " try " + finer() + "; to look for them less than " + number(inputs.lowest())
-                        + " m above the ground, add lower --heights.");
+                        + " try " + finer()
+                        + new HeightNotes(inputs)
+                                .closerToTheGround()
+                                .map(how -> "; " + how)
+                                .orElse("") + ".");
     }
 
     /**
@@ -147,7 +151,7 @@ final class RouteNotes {
      * descends steeply; empty if there are none.
      */
     private Optional<String> tooSlow(RouteSurvey survey) {
-        DroneSettings drone = inputs.settings().drones().get(inputs.drone());
+        DroneSettings drone = inputs.settings().individualDrones().get(inputs.drone());
         double limit = drone.flightLimits().hover() ? 0.0 : LEAST_SPEED * drone.speed();
         List<String> sectors = sectors(survey, route -> leastSpeed(route) < limit);
         OptionalDouble least =

@@ -91,8 +91,8 @@ final class RouteReport {
                         + (RouteWords.mayGlide(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
                         + ". 'Counted exposure' is that "
                         + (survey.response() > 0.0 ? "of the part of the route on which a detection is in time, " : "")
-                        + "in the cells of the search; no route there, between the lowest and the highest of its heights, can"
-                        + " have less than the lower bound. An exposure of 1 means a probability of 63 %, one of 3 means 95 %."
+                        + "in the cells of the search; no route there that stays " + inputs.heightsInWords()
+                        + " above the ground can have less than the lower bound. An exposure of 1 means a probability of 63 %, one of 3 means 95 %."
                         + (survey.response() > 0.0 ? " 'Search' is the probability along the whole route." : ""));
     }
 

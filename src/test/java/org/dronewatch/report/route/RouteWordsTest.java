@@ -242,13 +242,13 @@ class RouteWordsTest {
         RouteResults results = results(route, Map.of());
 
         assertThat(new RouteWords(inputs).weakest(results))
-                .endsWith(
-                        ". Routes were searched for in cells of 20 m, 30 m above the ground (the drone's ceiling is 500"
-                                + " m).");
+                .endsWith(". Routes were searched for in cells of 20 m, 30 m above the ground.");
         assertThat(new RouteNotes(inputs).notes(results))
                 .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out")
                         && note.contains("try --cell 10m")
-                        && note.endsWith("less than 30 m above the ground, add lower --heights."));
+                        && note.endsWith("less than 30 m above the ground, add lower --heights."))
+                .containsOnlyOnce("Routes more than 30 m above the ground were not searched for, although the drone's"
+                        + " ceiling is 500 m; to include them, add higher --heights.");
     }
 
     /** A leg of 50 m in 10 s: no aircraft with wings flies at less than half its cruise speed of 12 m/s. */
