@@ -2,15 +2,42 @@ package org.dronewatch.report.route;
 
 import static org.dronewatch.report.html.ReadableNumbers.number;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.analysis.cell.RouteHeights;
+import org.dronewatch.route.RouteSurvey;
 
 /**
- * Where no routes are searched for, though a drone can fly there: close to the ground, or below its ceiling.
+ * Where no routes are searched for, though a drone can fly there: close to the ground, below its ceiling, or before it
+ * reaches the area.
  *
  * @param inputs of the search
  */
 record HeightNotes(RouteInputs inputs) {
+    /** Above this height, little on the ground hides a drone that is still outside the area, m. */
+    private static final double OPEN_AIR = 150.0;
+
+    /** A route on which the drone is detected with this probability is not weak, whatever is not counted. */
+    private static final double DETECTED = 0.95;
+
+    /**
+     * Which routes begin so high that sensors may well detect the drone before it reaches the area, which does not
+     * count; empty if there are none.
+     */
+    Optional<String> beginningHigh(RouteSurvey survey) {
+        List<String> sectors = survey.routes().stream()
+                .filter(route -> route.inTime(survey.response()) < DETECTED)
+                .filter(route -> route.searched().points().get(0).above() > OPEN_AIR)
+                .map(RouteWords::sector)
+                .toList();
+        return sectors.isEmpty() || inputs.launch().isPresent()
+                ? Optional.empty()
+                : Optional.of("The " + (sectors.size() == 1 ? "route" : "routes") + " from the "
+                        + RouteNotes.listed(sectors) + (sectors.size() == 1 ? " begins" : " begin") + " more than "
+                        + number(OPEN_AIR) + " m above the ground at the edge of the area. What sensors detect of the"
+                        + " drone farther out does not count; to count it, try a larger --side.");
+    }
+
     /** Up to which height routes are searched for; empty if that is the drone's ceiling. */
     Optional<String> belowCeiling() {
         return inputs.highest() < inputs.ceiling()

@@ -41,6 +41,7 @@ final class RouteNotes {
                         begins(results.survey()),
                         unproven(results.survey()),
                         new HeightNotes(inputs).belowCeiling(),
+                        new HeightNotes(inputs).beginningHigh(results.survey()),
                         unseen(results.between()),
                         tooLate(results.survey()),
                         tooSlow(results.survey()),
@@ -97,7 +98,7 @@ final class RouteNotes {
         return survey.routes().stream().filter(which).map(RouteWords::sector).toList();
     }
 
-    private static String listed(List<String> sectors) {
+    static String listed(List<String> sectors) {
         return String.join(", ", sectors).replaceFirst(", ([^,]+)$", " and $1");
     }
 
