@@ -102,6 +102,14 @@ class RouteCeilingTest {
         assertThat(notes(route(limited, 120, "--heights=20,60,150"))).containsOnlyOnce(NOTE.formatted("60", "120"));
     }
 
+    /** The drones of a swarm have no settings of their own in the scene: their ceiling is that of their leader. */
+    @Test
+    void aDroneOfASwarmHasACeiling() throws IOException {
+        String swarm = SCENE.replace("speed: 14 m/s", "speed: 14 m/s\n    swarm: {count: 2, spacing: 5 m}");
+
+        assertThat(notes(route(swarm, 120, "--heights=20,60"))).containsOnlyOnce(NOTE.formatted("60", "500"));
+    }
+
     /** Where the radar sees all but its cone, the bound is not lost because the highest levels are far apart. */
     @Test
     void theLowerBoundRemainsUsefulUpToTheCeiling() throws IOException {
