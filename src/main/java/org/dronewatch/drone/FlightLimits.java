@@ -9,6 +9,7 @@ import org.dronewatch.flight.Airframe;
  * @param sink largest rate of descent under power, m/s
  * @param turnRate largest rate at which its course turns at cruise speed, rad/s
  * @param hover whether it can stay in one place
+ * @param leastSpeed least speed under power if it cannot hover, m/s; of no meaning if it can
  * @param ceiling greatest height above the surface below it, m
  * @param endurance longest flight under power, s
  * @param glideRatio horizontal distance covered with the motors off per metre of height lost; 0 if it cannot glide
@@ -19,6 +20,7 @@ public record FlightLimits(
         double sink,
         double turnRate,
         boolean hover,
+        double leastSpeed,
         double ceiling,
         double endurance,
         double glideRatio,
@@ -30,6 +32,9 @@ public record FlightLimits(
     /** DJI's consumer drones climb to 500 m above the point of take-off; assumed for other airframes. */
     private static final double CEILING = 500.0;
 
+    /** Least speed of a drone that cannot hover over its cruise speed: PX4's FW_AIRSPD_MIN and FW_AIRSPD_TRIM. */
+    private static final double LEAST_SPEED = 10.0 / 15.0;
+
     private static final double HALF_AN_HOUR = 1800.0;
     private static final double AN_HOUR = 3600.0;
     /** Assumed: a good small fixed-wing drone. */
@@ -39,13 +44,15 @@ public record FlightLimits(
      * The typical limits of a type of airframe. Rates of climb and descent are the defaults of PX4: 3 and 1.5 m/s for
      * multirotors (MPC_Z_VEL_MAX_UP, MPC_Z_VEL_MAX_DN), 5 and 5 m/s for the others (FW_T_CLMB_MAX, FW_T_SINK_MAX). The
      * course turns at {@code g tan(bank) / speed}, where the bank angle is 45 degrees for multirotors and 50 degrees
-     * for the others. The ceiling is 500 m. The endurance of 30 minutes (multirotor) or an hour, the glide ratio of 10
-     * and a glide at cruise speed are assumed; multirotors do not glide.
+     * for the others. Drones that cannot hover fly at no less than two thirds of their cruise speed, 10 of 15 m/s in
+     * PX4 (FW_AIRSPD_MIN, FW_AIRSPD_TRIM). The ceiling is 500 m. The endurance of 30 minutes (multirotor) or an hour,
+     * the glide ratio of 10 and a glide at cruise speed are assumed; multirotors do not glide.
      *
      * @param airframe its type
      * @param speed cruise speed, above 0, m/s
      */
     public static FlightLimits typical(Airframe airframe, double speed) {
+        double least = LEAST_SPEED * speed;
         double wingTurn = Airframe.GRAVITY * Math.tan(WING_BANK) / speed;
         return switch (airframe) {
             case MULTIROTOR ->
@@ -54,12 +61,13 @@ public record FlightLimits(
                         1.5,
                         Airframe.GRAVITY * Math.tan(ROTOR_TILT) / speed,
                         true,
+                        least,
                         CEILING,
                         HALF_AN_HOUR,
                         0.0,
                         speed);
-            case FIXED_WING -> new FlightLimits(5.0, 5.0, wingTurn, false, CEILING, AN_HOUR, WING_GLIDE, speed);
-            case HYBRID -> new FlightLimits(5.0, 5.0, wingTurn, true, CEILING, AN_HOUR, WING_GLIDE, speed);
+            case FIXED_WING -> new FlightLimits(5.0, 5.0, wingTurn, false, least, CEILING, AN_HOUR, WING_GLIDE, speed);
+            case HYBRID -> new FlightLimits(5.0, 5.0, wingTurn, true, least, CEILING, AN_HOUR, WING_GLIDE, speed);
         };
     }
 }

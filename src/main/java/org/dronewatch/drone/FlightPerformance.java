@@ -19,6 +19,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param turnRate largest rate at which the course turns, above 0 and at most 3600 deg/s; typically that at a bank
  *     angle of 45 degrees (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
+ * @param leastSpeed least speed under power of a drone that cannot hover, above 0 and at most 400 m/s; typically two
+ *     thirds of the cruise speed. It counts only in the search for routes, and only up to the cruise speed
  * @param ceiling greatest height above the surface below it, above 0 and at most 20,000 m; typically 500 m
  * @param endurance longest flight under power, above 0 and at most 604,800 s; typically 30 minutes for multirotors, an
  *     hour for fixed-wing drones and hybrids
@@ -31,6 +33,7 @@ public record FlightPerformance(
         @In(value = Quantity.SPEED, from = 0.01, to = 200) Optional<Double> sink,
         @In(value = Quantity.ANGULAR_SPEED, above = 0, to = 62.831853071795864) Optional<Double> turnRate,
         Optional<Boolean> hover,
+        @In(value = Quantity.SPEED, above = 0, to = 400) Optional<Double> leastSpeed,
         @In(value = Quantity.LENGTH, above = 0, to = 20_000) Optional<Double> ceiling,
         @In(value = Quantity.DURATION, above = 0, to = 604_800) Optional<Double> endurance,
         @In(value = Quantity.NUMBER, from = 0, to = 100) Optional<Double> glideRatio,
@@ -38,6 +41,7 @@ public record FlightPerformance(
     /** All limits are typical of the airframe. */
     @Defaults
     public static final FlightPerformance TYPICAL = new FlightPerformance(
+            Optional.empty(),
             Optional.empty(),
             Optional.empty(),
             Optional.empty(),
@@ -53,7 +57,17 @@ public record FlightPerformance(
      * @throws IllegalArgumentException if a value is out of range
      */
     public FlightPerformance {
-        Limits.check(FlightPerformance.class, climb, sink, turnRate, hover, ceiling, endurance, glideRatio, glideSpeed);
+        Limits.check(
+                FlightPerformance.class,
+                climb,
+                sink,
+                turnRate,
+                hover,
+                leastSpeed,
+                ceiling,
+                endurance,
+                glideRatio,
+                glideSpeed);
     }
 
     /** This performance with another maximum rate of climb, m/s. */
@@ -74,6 +88,11 @@ public record FlightPerformance(
     /** This performance with or without the ability to hover. */
     public FlightPerformance withHover(boolean able) {
         return SettingsForm.with(this, "hover", Optional.of(able));
+    }
+
+    /** This performance with another least speed under power of a drone that cannot hover, m/s. */
+    public FlightPerformance withLeastSpeed(double metresPerSecond) {
+        return SettingsForm.with(this, "leastSpeed", Optional.of(metresPerSecond));
     }
 
     /** This performance with another ceiling, m above the surface below. */
@@ -102,6 +121,7 @@ public record FlightPerformance(
                 sink.orElse(typical.sink()),
                 turnRate.orElse(typical.turnRate()),
                 hover.orElse(typical.hover()),
+                leastSpeed.orElse(typical.leastSpeed()),
                 ceiling.orElse(typical.ceiling()),
                 endurance.orElse(typical.endurance()),
                 glideRatio.orElse(typical.glideRatio()),

@@ -52,6 +52,14 @@ record RouteSite(
     /** What a flight of the whole endurance counts for, so that of equally exposed routes the fastest is found. */
     private static final double PRICE_OF_ENDURANCE = 1e-3;
 
+    /** Directions in plan view, and as many headings where turns need room. */
+    private static final int FINE = 48;
+
+    private static final int COARSE = 16;
+
+    /** States of a search that take some 600 MB. */
+    private static final long MOST_STATES = 50_000_000;
+
     private static final String NO_CELL =
             "no cell there has its centre above known ground and outside everything solid,"
                     + " at any of the heights; a larger side, smaller cells or other heights may help";
@@ -117,15 +125,8 @@ record RouteSite(
      * @param sensors their names, in the order of the scene
      */
     SiteRoutes past(SiteExposure exposure, List<String> sensors) {
-        RouteProblem problem = new RouteProblem(
-                nodes.grid(),
-                exposure,
-                modes,
-                turnRadius,
-                PlanDirections.of(turnRadius > 0.0 ? 16 : 48),
-                starts,
-                goals,
-                passage);
+        RouteProblem problem =
+                new RouteProblem(nodes.grid(), exposure, modes, turnRadius, directions(), starts, goals, passage);
         double price = PRICE_OF_ENDURANCE / endurance;
         EnduranceLimit limit = new EnduranceLimit(modes, endurance, ofTime -> search(problem, ofTime));
         return new SiteRoutes(
@@ -137,6 +138,12 @@ record RouteSite(
                 limit,
                 middle,
                 this::height);
+    }
+
+    /** As many as find the narrow bands of headings in which radars are blind, unless that needs too much memory. */
+    private PlanDirections directions() {
+        long perHeading = (long) modes.size() * nodes.grid().size();
+        return PlanDirections.of(turnRadius > 0.0 && FINE * perHeading > MOST_STATES ? COARSE : FINE);
     }
 
     private WeakestRoutes search(RouteProblem problem, double price) {

@@ -31,8 +31,7 @@ final class LegLimits {
     }
 
     /**
-     * Whether the corner between two legs can be rounded with the radius of a turn, if each lends half its length. On
-     * a grid, a leg turns by one direction at most, for which it is long enough.
+     * Whether the corner between two legs can be rounded with the radius of a turn, if each lends half its length.
      *
      * @param inX horizontal components of the first leg, and then of the second, m
      */

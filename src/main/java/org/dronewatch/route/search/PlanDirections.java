@@ -71,6 +71,11 @@ public final class PlanDirections {
         return steps[direction][1];
     }
 
+    /** The length of a step, in distances between nodes. */
+    double length(int direction) {
+        return Math.sqrt(east(direction) * east(direction) + north(direction) * north(direction));
+    }
+
     /** The heading of a direction, clockwise from north, rad, 0 to 2 pi. */
     public double heading(int direction) {
         return headings[direction];

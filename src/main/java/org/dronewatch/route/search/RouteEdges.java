@@ -18,7 +18,7 @@ final class RouteEdges {
     private final RouteGrid grid;
     private final PlanDirections directions;
     private final RouteMode[] modes;
-    private final double turnRadius;
+    private final LegTurns turns;
     private final LegRates rates;
 
     /** By direction, the horizontal length of the shortest leg, m. */
@@ -34,10 +34,10 @@ final class RouteEdges {
         this.grid = problem.grid();
         this.directions = problem.directions();
         this.modes = problem.modes().toArray(RouteMode[]::new);
-        this.turnRadius = problem.turnRadius();
+        this.turns = problem.turns();
         this.rates = new LegRates(problem);
         this.units = new double[directions.count()];
-        Arrays.setAll(units, this::unit);
+        Arrays.setAll(units, direction -> grid.spacing() * directions.length(direction));
         this.passed = new int[units.length][][];
         Arrays.setAll(passed, this::passed);
         this.shortest = new int[units.length];
@@ -48,8 +48,10 @@ final class RouteEdges {
         int most = 1;
         for (int mode = 0; mode < modes.length; mode++) {
             for (int level = 0; level < grid.levels(); level++) {
-                most = Math.max(most, repeats(mode, direction, level, 0));
-                most = level > 0 ? Math.max(most, repeats(mode, direction, level, -1)) : most;
+                for (int climb : climbs()) {
+                    boolean isInside = level + climb >= 0 && level + climb < grid.levels();
+                    most = isInside ? Math.max(most, repeats(mode, direction, level, climb)) : most;
+                }
             }
         }
         int[][] nodes = new int[most + 1][];
@@ -65,26 +67,18 @@ final class RouteEdges {
         return grid.levels() > 1 ? CLIMBS : LEVEL_ONLY;
     }
 
-    private double unit(int direction) {
-        int east = directions.east(direction);
-        int north = directions.north(direction);
-        return grid.spacing() * Math.sqrt(east * east + north * north);
-    }
-
     /**
-     * How often a leg repeats the step of its direction: as often as the turn to a neighbouring direction needs, and
-     * for a glide to the level below as far as it carries.
+     * How often a leg repeats the step of its direction: as often as its turns need, for a glide to the level below as
+     * far as it carries, and under power as far as the least speed requires, over level ground.
      *
      * @param level at which the leg begins
      */
     int repeats(int mode, int direction, int level, int climb) {
-        int turning = (int) Math.ceil(turnRadius * directions.widest() / units[direction] - 1e-9);
-        int carried = 1;
-        if (modes[mode].isGlide() && climb == -1) {
-            double drop = grid.height(level) - grid.height(level - 1);
-            carried = (int) Math.floor(-drop / (modes[mode].steepest() * units[direction]) + 1e-9);
-        }
-        return Math.max(1, Math.max(turning, carried));
+        double rise = climb == 0 ? 0.0 : grid.height(level + climb) - grid.height(level);
+        int needed = modes[mode].isGlide() && climb == -1
+                ? (int) Math.floor(rise / (modes[mode].steepest() * units[direction]) + 1e-9)
+                : (int) Math.ceil(modes[mode].leastLength(rise) / units[direction] - 1e-9);
+        return Math.max(turns.repeats(direction), needed);
     }
 
     /**

@@ -12,8 +12,9 @@ import org.dronewatch.route.exposure.LegMotion;
  * @param sink greatest rate of descent, above 0, m/s; may be infinite
  * @param steepest the greatest slope of the path, height gained over horizontal distance; negative for a glide,
  *     infinite for no limit
+ * @param slowest the least speed along the path, 0 to the speed, m/s; 0 for a drone that can hover
  */
-public record RouteMode(String name, double speed, double climb, double sink, double steepest) {
+public record RouteMode(String name, double speed, double climb, double sink, double steepest, double slowest) {
     /** Slopes count as equal within this, so that the best glide between two nodes is not lost to rounding. */
     private static final double ROUNDING = 1e-9;
 
@@ -28,6 +29,15 @@ public record RouteMode(String name, double speed, double climb, double sink, do
                     "mode " + name + " with speed " + speed + ", climb " + climb + ", sink " + sink + " m/s and slope "
                             + steepest + ": all but the slope must be above 0, and the slope a number");
         }
+        if (!(slowest >= 0.0 && slowest <= speed)) {
+            throw new IllegalArgumentException(
+                    "mode " + name + " with a least speed of " + slowest + " m/s: it must be 0 to " + speed + " m/s");
+        }
+    }
+
+    /** A mode in which the drone can fly as slowly as it likes. */
+    public RouteMode(String name, double speed, double climb, double sink, double steepest) {
+        this(name, speed, climb, sink, steepest, 0.0);
     }
 
     /** A mode without limits on climb, descent or slope. */
@@ -37,7 +47,13 @@ public record RouteMode(String name, double speed, double climb, double sink, do
 
     /** Flight under power at cruise speed, m/s. */
     public static RouteMode powered(FlightLimits limits, double cruise) {
-        return new RouteMode("powered", cruise, limits.climb(), limits.sink(), Double.POSITIVE_INFINITY);
+        return new RouteMode(
+                "powered",
+                cruise,
+                limits.climb(),
+                limits.sink(),
+                Double.POSITIVE_INFINITY,
+                limits.hover() ? 0.0 : Math.min(cruise, limits.leastSpeed()));
     }
 
     /**
@@ -77,7 +93,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
 
     /**
      * The shortest time for a straight leg, s; infinite where the leg is too steep. A leg that climbs or descends
-     * faster than the limits allow at this speed is flown more slowly.
+     * faster than the limits allow at this speed is flown more slowly, but not below the least speed.
      *
      * @param horizontal horizontal length of the leg, m
      * @param rise height gained from its beginning to its end, m
@@ -86,8 +102,20 @@ public record RouteMode(String name, double speed, double climb, double sink, do
         if (rise > steepest * horizontal + ROUNDING * (horizontal + Math.abs(rise))) {
             return Double.POSITIVE_INFINITY;
         }
-        double along = Math.sqrt(horizontal * horizontal + rise * rise) / speed;
-        return Math.max(along, rise > 0.0 ? rise / climb : -rise / sink);
+        double length = Math.sqrt(horizontal * horizontal + rise * rise);
+        double time = Math.max(length / speed, rise > 0.0 ? rise / climb : -rise / sink);
+        return slowest * time > length * (1.0 + ROUNDING) ? Double.POSITIVE_INFINITY : time;
+    }
+
+    /**
+     * The least horizontal length of a leg that climbs or descends, m: at the least speed, and as fast as the limits
+     * allow; 0 where it may be vertical.
+     *
+     * @param rise height gained from its beginning to its end, m
+     */
+    double leastLength(double rise) {
+        double length = slowest * Math.abs(rise) / (rise > 0.0 ? climb : sink);
+        return length > Math.abs(rise) ? Math.sqrt(length * length - rise * rise) : 0.0;
     }
 
     /**

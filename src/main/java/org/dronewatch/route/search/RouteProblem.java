@@ -64,6 +64,11 @@ public record RouteProblem(
         return turnRadius > 0.0 ? directions.count() : 1;
     }
 
+    /** How its legs turn. */
+    LegTurns turns() {
+        return new LegTurns(directions, turnRadius / grid.spacing());
+    }
+
     /** The number of states: one for each mode, heading and node. */
     int states() {
         return Math.multiplyExact(Math.multiplyExact(modes.size(), headings()), grid.size());

@@ -23,6 +23,15 @@ public final class RouteSearch {
     private final int headings;
     private final double[] cost;
     private final int[] next;
+    private final LegTurns turns;
+
+    /**
+     * By mode and node, the directions of the legs that have been tried, a bit for each. What a leg costs does not
+     * depend on where the drone turns at its end, and states are settled in the order of their costs: the first state
+     * into which a leg can turn is the best.
+     */
+    private final long[] tried;
+
     private final RadixHeap queue = new RadixHeap();
 
     private RouteSearch(RouteProblem problem) {
@@ -33,6 +42,8 @@ public final class RouteSearch {
         this.headings = problem.headings();
         this.cost = new double[problem.states()];
         this.next = new int[cost.length];
+        this.turns = problem.turns();
+        this.tried = new long[headings > 1 ? problem.modes().size() * grid.size() : 0];
         Arrays.fill(cost, Double.POSITIVE_INFINITY);
         Arrays.fill(next, NONE);
     }
@@ -109,8 +120,11 @@ public final class RouteSearch {
                 comeVertically(state, mode, node, node + plane);
             }
         } else {
-            for (int turn = -1; turn <= 1; turn++) {
-                int direction = Math.floorMod(heading + turn, headings);
+            int place = mode * grid.size() + node;
+            long left = turns.before(heading) & ~tried[place];
+            tried[place] |= left;
+            for (; left != 0L; left &= left - 1L) {
+                int direction = Long.numberOfTrailingZeros(left);
                 comeFrom(state, mode, node, direction, direction);
             }
         }

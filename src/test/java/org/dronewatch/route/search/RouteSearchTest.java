@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 
 class RouteSearchTest {
     private static final RouteMode POWERED = new RouteMode("powered", 2.0, 0.5, 1.0, Double.POSITIVE_INFINITY);
+    private static final RouteMode WINGED = new RouteMode("powered", 2.0, 0.5, 1.0, Double.POSITIVE_INFINITY, 1.25);
     private static final RouteMode GLIDE =
             new RouteMode("glide", 1.5, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, -0.25);
 
@@ -82,7 +83,9 @@ class RouteSearchTest {
 
     private static RouteProblem smallProblem(SplittableRandom random) {
         RouteGrid grid = smallGrid(random);
-        PlanDirections directions = PlanDirections.of(8 << random.nextInt(3));
+        PlanDirections directions = PlanDirections.of(List.of(8, 16, 32, 48).get(random.nextInt(4)));
+        double room = random.nextInt(3) == 0 ? 0.25 * (1 + random.nextInt(4)) : 0.0;
+        RouteMode powered = room > 0.0 && random.nextBoolean() ? WINGED : POWERED;
         BitSet starts = new BitSet();
         BitSet goals = new BitSet();
         starts.set(random.nextInt(grid.size()));
@@ -90,8 +93,8 @@ class RouteSearchTest {
         return new RouteProblem(
                 grid,
                 Table.random(grid, directions, random),
-                random.nextBoolean() ? List.of(POWERED) : List.of(POWERED, GLIDE),
-                random.nextInt(3) == 0 ? 1.0 : 0.0,
+                random.nextBoolean() ? List.of(powered) : List.of(powered, GLIDE),
+                room,
                 directions,
                 starts,
                 goals);
@@ -151,7 +154,14 @@ class RouteSearchTest {
             if (level + climb < 0 || level + climb >= grid.levels()) {
                 continue;
             }
-            int repeats = (int) Math.max(1, Math.ceil(problem.turnRadius() * directions.widest() / unit));
+            int repeats = repeats(problem, direction);
+            if (mode == 0 && climb != 0) {
+                // At the least speed, the climb of 0.5 m/s and the descent of 1 m/s take this long a leg.
+                double rise = Math.abs(grid.height(level + climb) - grid.height(level));
+                double length = problem.modes().get(0).slowest() * rise / (climb > 0 ? 0.5 : 1.0);
+                double least = Math.sqrt(Math.max(0.0, length * length - rise * rise));
+                repeats = Math.max(repeats, (int) Math.ceil(least / unit - 1e-9));
+            }
             if (mode == 1 && climb == -1) {
                 double drop = grid.height(level) - grid.height(level - 1);
                 repeats = Math.max(repeats, (int) (drop * 4.0 / unit));
@@ -162,13 +172,39 @@ class RouteSearchTest {
                 continue;
             }
             double cost = cost(problem, mode, node, grid.node(toColumn, toRow, level + climb), direction);
-            for (int turn = -1; turn <= 1; turn++) {
-                int heading = problem.turnRadius() > 0.0 ? Math.floorMod(direction + turn, directions.count()) : 0;
-                int headings = problem.turnRadius() > 0.0 ? directions.count() : 1;
+            int headings = problem.turnRadius() > 0.0 ? directions.count() : 1;
+            for (int heading = 0; heading < headings; heading++) {
                 int to = (mode * headings + heading) * grid.size() + grid.node(toColumn, toRow, level + climb);
-                legs.add(new Leg(state, to, cost));
+                if (headings == 1 || isTurnable(problem, direction, heading)) {
+                    legs.add(new Leg(state, to, cost));
+                }
             }
         }
+    }
+
+    /** A leg has room for a turn by half a right angle's knight's move, or into the next direction. */
+    private static int repeats(RouteProblem problem, int direction) {
+        double most = Math.max(Math.atan2(1.0, 2.0), problem.directions().widest());
+        return (int) Math.max(1.0, Math.ceil(room(problem, most) / unit(problem, direction)));
+    }
+
+    private static double unit(RouteProblem problem, int direction) {
+        return Math.hypot(
+                problem.directions().east(direction), problem.directions().north(direction));
+    }
+
+    /** What a turn takes up of both legs together, m: nodes are 1 m apart. */
+    private static double room(RouteProblem problem, double angle) {
+        return 2.0 * problem.turnRadius() * Math.tan(0.5 * angle);
+    }
+
+    private static boolean isTurnable(RouteProblem problem, int from, int to) {
+        double between = Math.abs(
+                problem.directions().heading(from) - problem.directions().heading(to));
+        double angle = Math.min(between, 2.0 * Math.PI - between);
+        double shorter =
+                Math.min(repeats(problem, from) * unit(problem, from), repeats(problem, to) * unit(problem, to));
+        return room(problem, angle) <= shorter + 1e-9;
     }
 
     private static double cost(RouteProblem problem, int mode, int from, int to, int direction) {
@@ -185,6 +221,9 @@ class RouteSearchTest {
         double time = Math.hypot(horizontal, rise) / (mode == 0 ? 2.0 : 1.5);
         if (mode == 0) {
             time = Math.max(time, rise > 0.0 ? rise / 0.5 : -rise);
+            if (Math.hypot(horizontal, rise) / time < problem.modes().get(0).slowest() * (1.0 - 1e-9)) {
+                return Double.POSITIVE_INFINITY;
+            }
         }
         for (int i = 0; i <= pieces; i++) {
             int column = from % columns + (int) Math.floor((double) east * i / pieces + 0.5);

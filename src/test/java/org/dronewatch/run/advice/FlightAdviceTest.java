@@ -153,6 +153,12 @@ class FlightAdviceTest {
         assertThat(wing.sink()).isEqualTo(5.0);
         assertThat(wing.turnRate()).as("g tan(50 deg) / v").isCloseTo(0.5843555, within(1e-6));
         assertThat(wing.hover()).isFalse();
+        assertThat(wing.leastSpeed()).as("two thirds of the cruise speed").isCloseTo(40.0 / 3.0, within(1e-12));
+        assertThat(drone(Airframe.FIXED_WING, 20.0)
+                        .withPerformance(FlightPerformance.TYPICAL.withLeastSpeed(16.0))
+                        .flightLimits()
+                        .leastSpeed())
+                .isEqualTo(16.0);
         assertThat(wing.glideSpeed()).as("cruise speed").isEqualTo(20.0);
         assertThat(drone(Airframe.HYBRID, 20.0).flightLimits().hover()).isTrue();
     }
