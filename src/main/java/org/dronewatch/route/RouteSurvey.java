@@ -1,5 +1,7 @@
 package org.dronewatch.route;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -29,7 +31,14 @@ public record RouteSurvey(
     /** What is below this is printed in tenths, percent. */
     private static final double FINE_PERCENT = 10.0;
 
-    private static final double TENTHS = 10.0;
+    /** What is below this is printed as less than this. */
+    private static final double LEAST_EXPOSURE = 0.001;
+
+    /** What is below this is printed in thousandths, and in hundredths from there on. */
+    private static final double FINE_EXPOSURE = 1.0;
+
+    /** What is below this is printed in tenths, s. */
+    private static final double FINE_SECONDS = 100.0;
 
     /** Copies the lists. */
     public RouteSurvey {
@@ -82,30 +91,50 @@ public record RouteSurvey(
     }
 
     /**
-     * The weakest of all routes: the one with the least probability of a timely detection; in a tie, the one with the
-     * least probability of any detection along the whole route, then the least exposure that counts in the search, then
-     * the shortest time, then the first sector clockwise from the north. Probabilities tie if they are equal as tables
-     * print them: to a tenth of a percentage point below 10 %, and to a whole one from there on; anything below 0.1 %
-     * ties with 0. Otherwise a route on which the drone is surely detected, if only slightly too late, might count as
-     * weaker than one on which it is hardly ever detected at all. Routes that end where they begin do not count; empty
-     * if there are no others.
+     * The weakest of all routes: the first in the order of {@link #weakestFirst}. Routes that end where they begin do
+     * not count; empty if there are no others.
      */
     public Optional<SectorRoute> weakest() {
-        return routes.stream()
-                .filter(one -> one.route().seconds() > 0.0)
-                .min(Comparator.comparingDouble((SectorRoute one) -> printed(one.inTime(response)))
-                        .thenComparingDouble(one -> printed(one.detection()))
-                        .thenComparingDouble(one -> one.route().exposure())
-                        .thenComparingDouble(one -> one.route().seconds())
-                        .thenComparingInt(SectorRoute::sector));
+        return routes.stream().filter(one -> one.route().seconds() > 0.0).min(weakestFirst());
+    }
+
+    /**
+     * The order from the weakest route to the strongest: first the one with the least probability of a timely
+     * detection; in a tie, the one with the least probability of any detection along the whole route, then the least
+     * exposure that counts in the search, then the shortest time, then the first sector clockwise from the north. What
+     * tables print alike ties: probabilities to a tenth of a percentage point below 10 %, and to a whole one from there
+     * on; exposures to a thousandth below 1, and to a hundredth from there on; times to a tenth of a second below 100
+     * s, and to a second from there on. Probabilities below 0.1 % and exposures below 0.001 tie with 0. Otherwise a
+     * route on which the drone is surely detected, if only slightly too late, might count as weaker than one on which
+     * it is hardly ever detected at all.
+     */
+    public Comparator<SectorRoute> weakestFirst() {
+        return Comparator.comparingDouble((SectorRoute one) -> probability(one.inTime(response)))
+                .thenComparingDouble(one -> probability(one.detection()))
+                .thenComparingDouble(one -> exposure(one.route().exposure()))
+                .thenComparingDouble(one -> seconds(one.route().seconds()))
+                .thenComparingInt(SectorRoute::sector);
     }
 
     /** A probability as precisely as tables print it, percent. */
-    private static double printed(double probability) {
-        double percent = 100.0 * probability;
-        if (percent < LEAST_PERCENT) {
-            return 0.0;
-        }
-        return percent < FINE_PERCENT ? Math.rint(TENTHS * percent) / TENTHS : Math.rint(percent);
+    private static double probability(double value) {
+        double percent = 100.0 * value;
+        return percent < LEAST_PERCENT ? 0.0 : rounded(percent, percent < FINE_PERCENT ? 1 : 0);
+    }
+
+    /** An exposure as precisely as tables print it. */
+    private static double exposure(double value) {
+        return value < LEAST_EXPOSURE ? 0.0 : rounded(value, value < FINE_EXPOSURE ? 3 : 2);
+    }
+
+    /** A time as precisely as tables print it, s. */
+    private static double seconds(double value) {
+        double tenths = rounded(value, 1);
+        return tenths < FINE_SECONDS ? tenths : rounded(tenths, 0);
+    }
+
+    /** Rounded as text is. */
+    private static double rounded(double value, int places) {
+        return BigDecimal.valueOf(value).setScale(places, RoundingMode.HALF_UP).doubleValue();
     }
 }

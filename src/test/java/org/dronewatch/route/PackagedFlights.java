@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.InboundTarget;
+import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.flight.RouteFlight;
@@ -19,6 +19,7 @@ import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.proof.FlownRoute;
+import org.dronewatch.route.proof.RepeatedSearch;
 import org.dronewatch.route.proof.RouteScene;
 import org.dronewatch.run.Stage;
 import org.dronewatch.run.model.ModelCache;
@@ -44,12 +45,15 @@ final class PackagedFlights {
     /** The response to an alert as a fraction of a random flight. */
     private static final double RESPONSE = 0.3;
 
-    private static final List<Double> HEIGHTS = List.of(10.0, 30.0, 60.0, 120.0);
+    private static final List<Double> HEIGHTS = List.of(2.0, 10.0, 30.0, 60.0, 120.0, 300.0);
 
     private final String drone;
     private final SceneSettings settings;
     private final ModelCache models;
     private final Stage stage;
+    /** By mode of flight, in their order. */
+    private final List<ModeField> fields;
+
     private final DetectionField field;
 
     /** Loads a scene and assesses its field, on the workers of the calling thread. */
@@ -66,8 +70,19 @@ final class PackagedFlights {
         models.share(new SiteMemory(Runtime.getRuntime().maxMemory() / 8));
         Position middle = InboundTarget.of(settings, stage.protection());
         FieldGrid grid = new FieldGrid(middle.x(), middle.y(), site.side(), site.cell(), HEIGHTS);
-        List<Course> courses = Course.all(settings.enabledSensors(), DetectionField.droneOf(stage, drone));
-        this.field = FieldAssessment.of(settings, stage, drone, grid, courses, cells -> {});
+        Drone flown = DetectionField.droneOf(stage, drone);
+        this.fields = FlightMode.of(flown.settings()).stream()
+                .map(mode -> mode.with(
+                        FieldAssessment.of(
+                                settings,
+                                stage,
+                                drone,
+                                grid,
+                                mode.courses(settings.enabledSensors(), flown),
+                                cells -> {}),
+                        flown.settings()))
+                .toList();
+        this.field = fields.get(0).field();
     }
 
     ModelCache models() {
@@ -91,17 +106,26 @@ final class PackagedFlights {
         return changed;
     }
 
-    /** Scenes in which the drone flies the weakest routes, from up to so many directions. */
+    /**
+     * Scenes in which the drone flies the weakest routes from up to so many directions, as {@code route} finds them: in
+     * all modes of the drone, joined to others, and searched for again past what their looks show.
+     */
     List<SceneSettings> weakest(int directions) {
-        List<SceneSettings> flights = new ArrayList<>();
-        SiteRoutes routes = SiteRoutes.of(field, settings, stage, drone);
-        for (int sector = 0; sector < directions; sector++) {
-            routes.from(sector)
-                    .flatMap(routes::flight)
-                    .map(flight -> RouteScene.of(settings, drone, flight))
-                    .ifPresent(flights::add);
-        }
-        return flights;
+        SiteRoutes routes = SiteRoutes.of(fields, settings, stage, drone, Optional.empty());
+        RouteSurvey survey = RouteSurvey.of(routes, settings.alert().response(), sector -> {}, () -> {});
+        RepeatedSearch search = new RepeatedSearch(routes, survey, route -> scene(routes, route)
+                .map(scene -> route.with(FlownRoute.of(scene, models, 1).exposure()))
+                .orElse(route));
+        search.assess(route -> {});
+        search.repeat(repetition -> {});
+        return search.survey().routes().stream()
+                .limit(directions)
+                .flatMap(route -> scene(routes, route).stream())
+                .toList();
+    }
+
+    private Optional<SceneSettings> scene(SiteRoutes routes, SectorRoute route) {
+        return routes.flight(route.route()).map(flight -> RouteScene.of(settings, drone, flight));
     }
 
     /**

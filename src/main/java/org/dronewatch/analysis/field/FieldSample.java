@@ -29,10 +29,12 @@ public final class FieldSample {
     /** The root of g^4 = g + 1. */
     private static final double G = 1.2207440846057596;
 
+    private final FieldGrid grid;
     private final FieldColumns places;
     private final BitSet undetected;
 
-    private FieldSample(FieldColumns places, BitSet undetected) {
+    private FieldSample(FieldGrid grid, FieldColumns places, BitSet undetected) {
+        this.grid = grid;
         this.places = places;
         this.undetected = undetected;
     }
@@ -70,7 +72,22 @@ public final class FieldSample {
                     .toList()
                     .forEach(undetected::clear);
         }
-        return new FieldSample(places, undetected);
+        return new FieldSample(field.grid(), places, undetected);
+    }
+
+    /**
+     * The same places, undetected where they are in either sample.
+     *
+     * @param other of a field of the same site and grid, such as for the same drone with its motors off
+     * @throws IllegalArgumentException if the grids differ
+     */
+    public FieldSample either(FieldSample other) {
+        if (!grid.equals(other.grid)) {
+            throw new IllegalArgumentException("places in " + other.grid + ": they must be in " + grid);
+        }
+        BitSet both = (BitSet) undetected.clone();
+        both.or(other.undetected);
+        return new FieldSample(grid, places, both);
     }
 
     private static boolean isOpen(FieldColumns columns, int place) {

@@ -62,7 +62,7 @@ public final class RouteFinder {
         List<ModeField> fields = fields(modes);
         Found found = shown.during("routes", SiteRoutes.SECTORS + 1, progress -> {
             SiteRoutes routes = routes(fields, launch);
-            UnseenPlaces between = UnseenPlaces.of(fields.get(0), inputs.settings());
+            UnseenPlaces between = UnseenPlaces.of(fields, inputs.settings());
             TimeToGo times = routes.timeToGo();
             progress.accept(1);
             RouteSurvey survey = RouteSurvey.of(

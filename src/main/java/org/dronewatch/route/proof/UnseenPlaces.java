@@ -1,5 +1,6 @@
 package org.dronewatch.route.proof;
 
+import java.util.List;
 import org.dronewatch.analysis.field.FieldSample;
 import org.dronewatch.route.FieldExposure;
 import org.dronewatch.route.ModeField;
@@ -7,24 +8,32 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * Whether the cells of a search are small enough for its site: at how many of the {@linkplain FieldSample places} tried
- * between the middles of the cells no sensor detects the drone, although the drone is detected in every cell around
- * them, so that even the lower bound of the exposure counts on it. A passage that is narrower than a cell may lead
- * there.
+ * between the middles of the cells no sensor detects a drone in one of its modes of flight, although in this mode it is
+ * detected in every cell around them, so that even the lower bound of the exposure counts on it. A passage that is
+ * narrower than a cell may lead there.
  *
  * @param tried number of places at which the drone can be
- * @param unseen number of those at which no sensor detects it, but the lower bound counts on a detection
+ * @param unseen number of those at which, in some mode, no sensor detects it, but the lower bound counts on a detection
  */
 public record UnseenPlaces(int tried, int unseen) {
     /**
      * Tries the places between the cells of a field.
      *
-     * @param flown the mode of flight with its field of single looks
+     * @param modes the modes of flight, at least one, with their fields of single looks over the same grid
      * @param settings settings of the scene
+     * @throws IllegalArgumentException if there is no mode, or the grids differ
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
-    public static UnseenPlaces of(ModeField flown, SceneSettings settings) {
+    public static UnseenPlaces of(List<ModeField> modes, SceneSettings settings) {
+        FieldSample all = modes.stream()
+                .map(mode -> sample(mode, settings))
+                .reduce(FieldSample::either)
+                .orElseThrow(() -> new IllegalArgumentException("0 modes: there must be at least one"));
+        return new UnseenPlaces(all.openCount(), all.undetectedCount());
+    }
+
+    private static FieldSample sample(ModeField flown, SceneSettings settings) {
         FieldExposure exposure = FieldExposure.of(flown, settings);
-        FieldSample sample = FieldSample.of(flown.field(), place -> exposure.least(place, place, 0) > 0.0);
-        return new UnseenPlaces(sample.openCount(), sample.undetectedCount());
+        return FieldSample.of(flown.field(), place -> exposure.least(place, place, 0) > 0.0);
     }
 }

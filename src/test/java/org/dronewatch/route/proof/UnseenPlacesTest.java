@@ -1,19 +1,21 @@
 package org.dronewatch.route.proof;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
-import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.route.FlightMode;
 import org.dronewatch.route.ModeField;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -74,11 +76,15 @@ class UnseenPlacesTest {
     }
 
     private UnseenPlaces places(double cell, String slowest, int threads) throws IOException {
+        return places(SCENE.replace("SLOWEST", slowest), cell, threads, List.of(FlightMode.POWERED));
+    }
+
+    private UnseenPlaces places(String scene, double cell, int threads, List<FlightMode> modes) throws IOException {
         Files.writeString(
                 directory.resolve("plain.obj"), "v -300 -300 0\nv 300 -300 0\nv 300 300 0\nv -300 300 0\nf 1 2 3 4\n");
         Files.writeString(directory.resolve("walls.obj"), wall(0.5 * GAP, 1) + wall(-0.5 * GAP - 1, 9));
         Path file = directory.resolve("scene.yaml");
-        Files.writeString(file, SCENE.replace("SLOWEST", slowest));
+        Files.writeString(file, scene);
         SceneRunner runner = new SceneRunner(new SceneFile(file));
         SceneSettings settings = runner.settings();
         Stage stage = runner.stage(settings);
@@ -86,15 +92,13 @@ class UnseenPlacesTest {
         FieldGrid grid = new FieldGrid(0, 0, 300, cell, List.of(LOWEST, MIDDLE, HIGHEST));
         try (Workers workers = new Workers(threads)) {
             return workers.call(() -> {
-                DetectionField field = FieldAssessment.of(
-                        settings,
-                        stage,
-                        "one",
-                        grid,
-                        Course.all(settings.enabledSensors(), drone),
-                        FieldTerms.ONE_LOOK,
-                        cells -> {});
-                return UnseenPlaces.of(ModeField.powered(field, drone.settings()), settings);
+                List<ModeField> fields = new ArrayList<>();
+                for (FlightMode mode : modes) {
+                    List<Course> courses = mode.courses(settings.enabledSensors(), drone);
+                    DetectionField field = FieldAssessment.of(settings, stage, "one", grid, courses, cells -> {});
+                    fields.add(mode.with(field, drone.settings()));
+                }
+                return UnseenPlaces.of(fields, settings);
             });
         }
     }
@@ -109,6 +113,34 @@ class UnseenPlacesTest {
         assertThat(places.tried()).isBetween(4000, 4096);
         assertThat(places.unseen()).isCloseTo((int) Math.rint(passage * 4096), within(4));
         assertThat(places(15.0, "0 m/s", 1)).isEqualTo(places);
+    }
+
+    /** In the passage, a microphone hears running motors, but no radar detects the drone once they are off. */
+    @Test
+    void aPassageThatIsOpenToAGliderIsNoticed() throws IOException {
+        String scene = SCENE.replace("SLOWEST", "0 m/s")
+                .replace(
+                        "speed: 10 m/s",
+                        "speed: 10 m/s, soundLevel: 90 dB, glideReduction: 90 dB,"
+                                + " performance: {glideRatio: 8, glideSpeed: 10 m/s}")
+                .replace(
+                        "run: {",
+                        "  ear: {kind: acoustic, position: [0, 0, 1],"
+                                + " propagation: {kind: level-model, initialRays: 1, maxOrder: 1}}\nrun: {");
+        UnseenPlaces alike = places(15.0, "0 m/s", 2);
+
+        assertThat(places(scene, 15.0, 2, List.of(FlightMode.POWERED))).isEqualTo(new UnseenPlaces(alike.tried(), 0));
+        assertThat(places(scene, 15.0, 2, List.of(FlightMode.GLIDE))).isEqualTo(alike);
+        assertThat(places(scene, 15.0, 2, List.of(FlightMode.POWERED, FlightMode.GLIDE)))
+                .isEqualTo(alike);
+        assertThat(alike.unseen()).isPositive();
+    }
+
+    @Test
+    void thereIsAtLeastOneMode() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> UnseenPlaces.of(List.of(), null))
+                .withMessage("0 modes: there must be at least one");
     }
 
     /** With two rows of cells in the passage, the search knows of it. */

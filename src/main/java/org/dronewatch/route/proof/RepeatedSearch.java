@@ -1,0 +1,122 @@
+package org.dronewatch.route.proof;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntConsumer;
+import java.util.function.UnaryOperator;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.search.WeakestRoute;
+
+/**
+ * The weakest routes of a site by the looks along them. First the looks along each route that the search has found are
+ * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
+ * search is repeated past {@link UnforeseenExposure what they have shown}, and the looks along its routes are assessed
+ * as well. From each sector, the weaker route is kept, in the order of {@link RouteSurvey#weakestFirst}; in a tie, the
+ * one that was found first. For one thread at a time.
+ */
+public final class RepeatedSearch {
+    /** The greatest number of times that the search is repeated. */
+    public static final int MOST = 4;
+
+    private final SiteRoutes site;
+    private final RouteSurvey survey;
+    private final UnaryOperator<SectorRoute> looks;
+
+    /** By sector, in the order of the routes. */
+    private final Map<Integer, SectorRoute> kept = new LinkedHashMap<>();
+
+    /**
+     * A search that may be repeated.
+     *
+     * @param site the search
+     * @param survey what it has found
+     * @param looks gives a route together with the exposure to the looks along it, as {@link FlownRoute#exposure}
+     *     does, or the same route if they cannot be assessed
+     */
+    public RepeatedSearch(SiteRoutes site, RouteSurvey survey, UnaryOperator<SectorRoute> looks) {
+        this.site = site;
+        this.survey = survey;
+        this.looks = looks;
+    }
+
+    /**
+     * Assesses the looks along each route that was found, before the search is repeated.
+     *
+     * @param progress receives the number of routes since the last call, of as many as there are
+     * @throws java.util.concurrent.CancellationException if {@code looks} throws it; the routes so far are kept
+     */
+    public void assess(IntConsumer progress) {
+        for (SectorRoute route : survey.routes()) {
+            kept.put(route.sector(), looks.apply(route));
+            progress.accept(1);
+        }
+    }
+
+    /** Whether the looks along a route detect the drone more often than the search expected. */
+    public boolean isNeeded() {
+        return !underestimated().isEmpty();
+    }
+
+    private Map<Integer, SectorRoute> underestimated() {
+        Map<Integer, SectorRoute> routes = new LinkedHashMap<>();
+        kept.forEach((sector, route) -> {
+            if (route.isUnderestimated(survey.response())) {
+                routes.put(sector, route);
+            }
+        });
+        return routes;
+    }
+
+    /**
+     * Repeats the search, until it expects what the looks show or finds the same routes again, but at most
+     * {@link #MOST} times.
+     *
+     * @param progress receives 1 after each repetition
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
+     *     kept, and so is its interrupt status
+     */
+    public void repeat(IntConsumer progress) {
+        UnforeseenExposure unforeseen = UnforeseenExposure.none(site.grid());
+        Map<Integer, SectorRoute> latest = underestimated();
+        for (int search = 0; search < MOST && !latest.isEmpty(); search++) {
+            Map<Integer, WeakestRoute> before = new LinkedHashMap<>();
+            for (SectorRoute route : latest.values()) {
+                unforeseen = unforeseen.with(route, site.modes());
+                before.put(route.sector(), route.route());
+            }
+            latest = new LinkedHashMap<>();
+            for (Map.Entry<Integer, WeakestRoute> found :
+                    site.past(before, unforeseen).entrySet()) {
+                int sector = found.getKey();
+                if (found.getValue().path().equals(before.get(sector).path())) {
+                    continue;
+                }
+                SectorRoute other = looks.apply(site.describe(sector, found.getValue()));
+                if (isKept(other)) {
+                    kept.put(sector, other);
+                }
+                if (other.isUnderestimated(survey.response())) {
+                    latest.put(sector, other);
+                }
+            }
+            progress.accept(1);
+        }
+    }
+
+    /** Whether a route replaces the one that has been kept from its sector. */
+    private boolean isKept(SectorRoute other) {
+        return survey.weakestFirst().compare(other, kept.get(other.sector())) < 0;
+    }
+
+    /**
+     * The routes that have been kept; complete if the search has found routes from all sectors, and none of them is
+     * missing here.
+     */
+    public RouteSurvey survey() {
+        List<SectorRoute> routes = List.copyOf(kept.values());
+        return survey.with(routes, routes.size() == survey.routes().size());
+    }
+}
