@@ -78,8 +78,10 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     /**
      * The probability of a detection up to a time, inclusive, if looks came so often that the moment at which the route
      * begins did not matter, as the search assumes: by the mean exposure. 0 to 1.
+     *
+     * @param until the last moment at which a detection counts, s since the start; it may be infinite
      */
-    double detectionByFastLooks(double until) {
+    public double detectionByFastLooks(double until) {
         return -Math.expm1(-flights.stream()
                 .mapToDouble(looks ->
                         looks.stream().mapToDouble(look -> look.by(until)).sum())

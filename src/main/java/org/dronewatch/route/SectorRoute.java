@@ -29,8 +29,8 @@ public record SectorRoute(
         Map<String, Double> bySensor,
         Map<Cause, Double> causes,
         Optional<FlownExposure> flown) {
-    /** By how much the probabilities of the search and of the flight differ where the search misjudges a route. */
-    private static final double MISJUDGED = 0.2;
+    /** The search misjudges a route if its probability of a detection differs from that of the flight by more. */
+    public static final double MISJUDGED = 0.2;
 
     /** Copies the maps. */
     public SectorRoute {
@@ -66,17 +66,6 @@ public record SectorRoute(
     }
 
     /**
-     * Whether the search and the flight disagree by more than 20 percentage points on the probability of a detection
-     * that counts: of one that is early enough for a response, if one is required, since where a detection would come
-     * too late, the search only looks for the fastest route.
-     *
-     * @param response time that the response takes, s; 0 if none is required
-     */
-    public boolean isMisjudged(double response) {
-        return Math.abs(inTime(response) - route.detection()) > MISJUDGED;
-    }
-
-    /**
      * Whether the drone is detected, early enough for a response, with a probability that is more than 20 percentage
      * points higher than the search expected.
      *
@@ -84,52 +73,6 @@ public record SectorRoute(
      */
     public boolean isUnderestimated(double response) {
         return inTime(response) - route.detection() > MISJUDGED;
-    }
-
-    /**
-     * Whether the search misjudges the route because it counts on looks at any moment: it would even if it knew exactly
-     * what a look at each point of the route detects, because a slow sensor may look before the drone comes into sight
-     * or after it has gone. Fewer flights than expected are then detected, never more.
-     *
-     * @param response time that the response takes, s; 0 if none is required
-     */
-    public boolean isMisjudgedForScans(double response) {
-        return flown.map(looks -> explains(looks.detectionByFastLooks(counted(response)), inTime(response), response))
-                .orElse(false);
-    }
-
-    /**
-     * Whether the search misjudges the route because it knows only the middle of each cell: it would even if the
-     * sensors looked all the time.
-     *
-     * @param response time that the response takes, s; 0 if none is required
-     */
-    public boolean isMisjudgedForCells(double response) {
-        return flown.map(looks -> explains(route.detection(), looks.detectionByFastLooks(counted(response)), response))
-                .orElse(false);
-    }
-
-    /**
-     * Whether the search and the flight disagree by more than 20 percentage points on the probability of any detection,
-     * but not on that of one that is early enough for a response: only on detections that come too late, then.
-     *
-     * @param response time that the response takes, s; 0 if none is required
-     */
-    public boolean isMisjudgedTooLate(double response) {
-        return response > 0.0 && !isMisjudged(response) && Math.abs(detection() - searched.detection()) > MISJUDGED;
-    }
-
-    /** Whether they disagree on the probability of any detection mostly because a slow sensor looks too rarely. */
-    public boolean isMisjudgedTooLateForScans() {
-        return flown.map(looks -> looks.detectionByFastLooks(Double.POSITIVE_INFINITY) - detection())
-                .map(more -> more > 0.5 * Math.abs(searched.detection() - detection()))
-                .orElse(false);
-    }
-
-    /** Whether a step from one probability to another is much of the step from the search to the flight. */
-    private boolean explains(double from, double to, double response) {
-        return Math.abs(to - from) > MISJUDGED / 2
-                && Math.signum(to - from) == Math.signum(inTime(response) - route.detection());
     }
 
     /**
@@ -143,8 +86,12 @@ public record SectorRoute(
         return inTime(response) + Math.expm1(-route.lower()) > MISJUDGED;
     }
 
-    /** The last moment at which a detection counts, s since the start. */
-    private double counted(double response) {
+    /**
+     * The last moment at which a detection counts, s since the start: infinite if no response is required.
+     *
+     * @param response time that the response takes, s; 0 if none is required
+     */
+    public double counted(double response) {
         return response > 0.0 ? critical(response) : Double.POSITIVE_INFINITY;
     }
 

@@ -91,9 +91,9 @@ class SiteRoutesTest {
             assertThat(route.profile().exposure())
                     .isCloseTo(route.sector() == 3 ? 0.0 : -Math.expm1(-3.0), within(1e-12));
             assertThat(route.mostExposedTo().isPresent()).isEqualTo(route.sector() != 3);
-            assertThat(route.isMisjudged(5.0))
-                    .isEqualTo(Math.abs(detected - route.route().detection()) > 0.2);
-            assertThat(route.isMisjudged(0.0)).isEqualTo(route.isMisjudged(5.0));
+            assertThat(route.isUnderestimated(5.0))
+                    .isEqualTo(detected - route.route().detection() > 0.2);
+            assertThat(route.isUnderestimated(0.0)).isEqualTo(route.isUnderestimated(5.0));
             double leastLikely = 1.0 - Math.exp(-route.route().lower());
             assertThat(route.isUnproven(5.0)).isEqualTo(detected > leastLikely + 0.2);
         }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronewatch.analysis.cell.RouteHeights;
 import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
 
 /**
  * Where no routes are searched for, though a drone can fly there: close to the ground, below its ceiling, or before it
@@ -25,17 +26,15 @@ record HeightNotes(RouteInputs inputs) {
      * count; empty if there are none.
      */
     Optional<String> beginningHigh(RouteSurvey survey) {
-        List<String> sectors = survey.routes().stream()
+        List<SectorRoute> routes = survey.routes().stream()
                 .filter(route -> route.inTime(survey.response()) < DETECTED)
                 .filter(route -> route.searched().points().get(0).above() > OPEN_AIR)
-                .map(RouteWords::sector)
                 .toList();
-        return sectors.isEmpty() || inputs.launch().isPresent()
+        return routes.isEmpty() || inputs.launch().isPresent()
                 ? Optional.empty()
-                : Optional.of("The " + (sectors.size() == 1 ? "route" : "routes") + " from the "
-                        + RouteNotes.listed(sectors) + (sectors.size() == 1 ? " begins" : " begin") + " more than "
-                        + number(OPEN_AIR) + " m above the ground at the edge of the area. What sensors detect of the"
-                        + " drone farther out does not count; to count it, try a larger --side.");
+                : Optional.of("On " + RouteDirections.routes(routes) + ", the drone begins more than "
+                        + number(OPEN_AIR) + " m above the ground at the edge of the area. What sensors detect of it"
+                        + " farther out does not count; to count it, try a larger --side.");
     }
 
     /** Up to which height routes are searched for; empty if that is the drone's ceiling. */

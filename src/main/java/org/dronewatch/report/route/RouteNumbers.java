@@ -24,9 +24,9 @@ final class RouteNumbers {
         return time.isPresent() ? number(tenths(time.getAsDouble())) + " s" : "-";
     }
 
-    /** A probability or a fraction in percent. */
+    /** A probability or a fraction in percent, {@code 54 %}; {@code < 0.1 %} where it is lower, but not 0. */
     static String percent(double share) {
-        return share == 0.0 ? "0 %" : ReadableNumbers.measured(share, "");
+        return share == 0.0 ? "0 %" : share < 0.001 ? "< 0.1 %" : ReadableNumbers.measured(share, "");
     }
 
     /** A probability in percent, or a dash where there is none. */

@@ -10,6 +10,7 @@ import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.search.RouteMode;
 
 /** Routes in words, for decision-makers. */
@@ -106,7 +107,9 @@ final class RouteWords {
                 + RouteNumbers.percent(route.inTime(inputs.response()))
                 + (alert == null
                         ? ""
-                        : ", and an alert comes in time with a probability of " + RouteNumbers.percent(alert));
+                        : " if flight and response take exactly as long as planned; if their times vary by "
+                                + RouteNumbers.percent(FlownRoute.SPREAD)
+                                + ", an alert comes in time with a probability of " + RouteNumbers.percent(alert));
     }
 
     /** When the drone is typically detected, compared with the response. */

@@ -1,0 +1,153 @@
+package org.dronewatch.report.route;
+
+import static org.dronewatch.report.html.ReadableNumbers.number;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.report.file.Numbers;
+import org.dronewatch.route.RouteSurvey;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.proof.UnseenPlaces;
+
+/**
+ * Where the search misjudges routes or may have missed others, why, and what to try. What it says of the detections
+ * that count on a route, it says once.
+ */
+final class SearchNotes {
+    /** An exposure that hardly matters, as in tables. */
+    private static final double LITTLE = 0.001;
+
+    private final RouteInputs inputs;
+    private final SlowLooks looks;
+    private final HeightNotes heights;
+
+    SearchNotes(RouteInputs inputs, SlowLooks looks, HeightNotes heights) {
+        this.inputs = inputs;
+        this.looks = looks;
+        this.heights = heights;
+    }
+
+    /** Which routes the search misjudges: a warning for those that have the same cause and call for the same advice. */
+    List<String> misjudged(RouteSurvey survey) {
+        double response = survey.response();
+        List<String> warnings = new ArrayList<>();
+        for (Misjudgement cause : Misjudgement.values()) {
+            for (boolean isUnproven : new boolean[] {false, true}) {
+                List<SectorRoute> routes = survey.routes().stream()
+                        .filter(route -> Misjudgement.inTime(route, response).equals(Optional.of(cause)))
+                        .filter(route -> route.isUnproven(response) == isUnproven)
+                        .toList();
+                if (!routes.isEmpty()) {
+                    warnings.add("the search in cells of "
+                            + Numbers.text(inputs.grid().cell()) + " m misjudges "
+                            + RouteDirections.routes(routes) + ": as flown, the chance of a detection"
+                            + inTime(response)
+                            + " differs by more than 20 percentage points, because the search "
+                            + reason(cause, routes) + advice(cause, isUnproven, routes));
+                }
+            }
+        }
+        return warnings;
+    }
+
+    /** What the search does that makes it misjudge routes. */
+    private String reason(Misjudgement cause, List<SectorRoute> routes) {
+        String cells = "knows only the middle of each cell";
+        return switch (cause) {
+            case CELLS -> cells;
+            case SCANS -> looks.assumption(routes);
+            case BOTH -> cells + ", and " + looks.assumption(routes);
+        };
+    }
+
+    /** What to try where the search misjudges routes and, possibly, less exposed ones cannot be ruled out. */
+    private String advice(Misjudgement cause, boolean isUnproven, List<SectorRoute> routes) {
+        if (!isUnproven) {
+            return cause.isForCells() ? "; try " + finer() : "";
+        }
+        return (cause.isForCells()
+                        ? "; try " + finer() + ", which may also show less exposed routes: they cannot be ruled out"
+                        : ", which smaller cells do not change; less exposed routes, which cannot be ruled out, may be found"
+                                + " between the middles of cells with " + finer())
+                + elsewhere(routes);
+    }
+
+    /** Where to look for routes that are lower than all that were searched for, or come from farther away. */
+    private String elsewhere(List<SectorRoute> routes) {
+        boolean isFarther = inputs.launch().isEmpty() && routes.stream().anyMatch(this::isSeenWhereItBegins);
+        return heights.closerToTheGround().map(how -> "; " + how).orElse("")
+                + (isFarther
+                        ? "; sensors detect the drone where a route begins: to let routes begin farther away, try a larger --side"
+                        : "");
+    }
+
+    /** Whether sensors may already detect the drone in the first cell of a route. */
+    private boolean isSeenWhereItBegins(SectorRoute route) {
+        DroneSettings drone = inputs.settings().individualDrones().get(inputs.drone());
+        return route.searched().exposureUntil(inputs.grid().cell() / drone.speed()) > LITTLE;
+    }
+
+    private static String inTime(double response) {
+        return response > 0.0 ? " in time" : "";
+    }
+
+    /** The options for smaller cells. */
+    private String finer() {
+        return 2 * inputs.grid().columns() <= FieldGrid.MOST_CELLS
+                ? "--cell " + Numbers.text(0.5 * inputs.grid().cell()) + "m"
+                : "a smaller --side with smaller cells";
+    }
+
+    /**
+     * From which sectors less detected routes may exist, which smaller cells may show; empty if there are none but
+     * those of which a warning says so.
+     */
+    Optional<String> unproven(RouteSurvey survey) {
+        double response = survey.response();
+        List<SectorRoute> routes = survey.routes().stream()
+                .filter(route -> route.isUnproven(response))
+                .filter(route -> Misjudgement.inTime(route, response).isEmpty())
+                .toList();
+        return routes.isEmpty()
+                ? Optional.empty()
+                : Optional.of("Less exposed routes " + RouteDirections.from(routes)
+                        + " cannot be ruled out: the lower bound of the exposure allows a detection" + inTime(response)
+                        + " that is more than 20 percentage points less likely. To look for them between the middles of cells,"
+                        + " try " + finer() + elsewhere(routes) + ".");
+    }
+
+    /**
+     * Why the columns of the search and of the flights differ where both agree on the detections in time; empty if they
+     * do not differ, or if it is warned that they differ on these, too.
+     */
+    List<String> tooLate(RouteSurvey survey) {
+        List<String> notes = new ArrayList<>();
+        for (Misjudgement cause : Misjudgement.values()) {
+            List<SectorRoute> routes = survey.routes().stream()
+                    .filter(route ->
+                            Misjudgement.tooLate(route, survey.response()).equals(Optional.of(cause)))
+                    .toList();
+            if (!routes.isEmpty()) {
+                notes.add("On " + RouteDirections.routes(routes)
+                        + ", 'search' and 'detected' differ by more than 20 percentage points, but only by detections that"
+                        + " come too late: the search " + reason(cause, routes) + ".");
+            }
+        }
+        return notes;
+    }
+
+    /** Whether passages may exist that the search cannot find, since no cell shows them; empty if none is likely. */
+    Optional<String> unseen(UnseenPlaces between) {
+        return between.unseen() == 0
+                ? Optional.empty()
+                : Optional.of("At " + number(between.unseen()) + " of " + number(between.tried())
+                        + " places tried between the middles of cells, no sensor detects the drone, although all cells"
+                        + " around the place are covered. Passages narrower than a cell, which the search cannot find,"
+                        + " may lead through such places, and a route along one may be less exposed than the lower bound; to look for passages, try "
+                        + finer()
+                        + ".");
+    }
+}
