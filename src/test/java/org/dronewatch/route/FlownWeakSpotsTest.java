@@ -14,7 +14,6 @@ import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.RouteLeg;
-import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.route.proof.FlownRoute;
 import org.dronewatch.route.proof.RepeatedSearch;
@@ -76,8 +75,16 @@ class FlownWeakSpotsTest {
         double[] heights = {30, 30, 0, 0, 30, 30};
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < across.length; i++) {
-            text.append("v ").append(across[i]).append(" -400 ").append(heights[i]).append('\n');
-            text.append("v ").append(across[i]).append(" 400 ").append(heights[i]).append('\n');
+            text.append("v ")
+                    .append(across[i])
+                    .append(" -400 ")
+                    .append(heights[i])
+                    .append('\n');
+            text.append("v ")
+                    .append(across[i])
+                    .append(" 400 ")
+                    .append(heights[i])
+                    .append('\n');
         }
         for (int i = 1; i < 2 * across.length - 2; i += 2) {
             text.append("f %d %d %d\nf %d %d %d\n".formatted(i, i + 2, i + 3, i, i + 3, i + 1));
@@ -141,8 +148,7 @@ class FlownWeakSpotsTest {
                 search.assess(done -> {});
                 search.repeat(done -> {});
                 SectorRoute route = search.survey().routes().get(0);
-                FlownRoute flown =
-                        FlownRoute.toProve(scene(settings, routes, route), runner.load(settings), RUNS);
+                FlownRoute flown = FlownRoute.toProve(scene(settings, routes, route), runner.load(settings), RUNS);
                 RouteFlight straight = RouteFlight.of(
                         route.corners().get(0).position(),
                         List.of(new RouteLeg(route.searched().end().position(), Optional.of(SPEED), true)));
@@ -194,8 +200,8 @@ class FlownWeakSpotsTest {
     /** Whoever appears from behind the wall is so near that a detection comes too late. */
     @Test
     void aWallIsFlownBehind() throws IOException {
-        Flown flown = fly(
-                world("wall.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 0), "", RESPONSE, NORTH_EAST);
+        Flown flown =
+                fly(world("wall.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 0), "", RESPONSE, NORTH_EAST);
 
         assertUsed(flown, RESPONSE, 0.5, 0.9);
         assertThat(flown.route().causes().get(Cause.HIDDEN_BY_BUILDING)).isGreaterThan(5.0);
@@ -205,11 +211,7 @@ class FlownWeakSpotsTest {
     @Test
     void aValleyIsFlownThrough() throws IOException {
         Flown flown = fly(
-                world("valley.obj", valley(), "terrain"),
-                RADAR.formatted("[120, 0, 34]", 0),
-                "",
-                RESPONSE,
-                NORTH_EAST);
+                world("valley.obj", valley(), "terrain"), RADAR.formatted("[120, 0, 34]", 0), "", RESPONSE, NORTH_EAST);
 
         assertUsed(flown, RESPONSE, 0.5, 0.9);
         assertThat(flown.route().causes().get(Cause.HIDDEN_BY_TERRAIN)).isGreaterThan(10.0);

@@ -31,7 +31,14 @@ final class LookSchedule {
     private final List<ScheduledLook> looks;
     private final double begin;
 
-    private LookSchedule(List<SensorSettings<?>> sensors, List<ScheduledLook> looks, double begin) {
+    /**
+     * Looks that have been assessed.
+     *
+     * @param sensors in the order of the scene
+     * @param looks in order of time
+     * @param begin when the route begins, s since the start of the run
+     */
+    LookSchedule(List<SensorSettings<?>> sensors, List<ScheduledLook> looks, double begin) {
         this.sensors = List.copyOf(sensors);
         this.looks = List.copyOf(looks);
         this.begin = begin;

@@ -8,7 +8,8 @@ import java.util.stream.IntStream;
  * How often looks that depend on their rays must be estimated for a proof. A single look near its threshold may decide
  * a whole flight, and its estimates are hits and misses, just as the runs are. Enough of them are made for the variance
  * of a prediction to be at most a quarter of that of the runs, and they are shared among the looks so that as few as
- * possible are needed (Neyman's allocation).
+ * possible are needed (Neyman's allocation). What one estimate varies by is judged from the look's neighbours, too:
+ * otherwise those whose first estimates show no detection, of many with few, would count as surely missed.
  */
 final class ProofEstimates {
     /** The variance of the prediction as a fraction of that of the proportion of runs. */
@@ -26,12 +27,15 @@ final class ProofEstimates {
     private final List<BegunFlight> flights;
     private final int runs;
 
+    private final NearbyEstimates nearby;
+
     /** By flight and look, the number of estimates that there should be next. */
     private final List<int[]> counts = new ArrayList<>();
 
     private ProofEstimates(List<BegunFlight> flights, int runs) {
         this.flights = flights;
         this.runs = runs;
+        this.nearby = new NearbyEstimates(flights);
         flights.forEach(flight -> counts.add(new int[flight.schedule().looks().size()]));
         raise(0.0);
         raise(flights.get(0).settings().alert().response());
@@ -97,7 +101,7 @@ final class ProofEstimates {
     /** The part of one estimate of a look in the standard deviation of the mean over all flights. */
     private double deviation(int flight, int look, List<LookWeights> weights) {
         return weights.get(flight).each()[look]
-                * Math.sqrt(estimate(flight, look).variance())
+                * Math.sqrt(nearby.variance(flights.get(flight), look))
                 / flights.size();
     }
 

@@ -80,6 +80,11 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
     /** The variance of one estimate; that of the level model counts as 0 where no trace differs from the others. */
     double variance() {
         double probability = probability();
-        return isRandom() ? probability * (1.0 - probability) / (isLevel ? 1.0 : TRACES) : 0.0;
+        return !isRandom() ? 0.0 : isLevel ? probability * (1.0 - probability) : ofTraces(probability);
+    }
+
+    /** The variance of one estimate by the level model of a probability. */
+    static double ofTraces(double probability) {
+        return probability * (1.0 - probability) / TRACES;
     }
 }
