@@ -38,7 +38,7 @@ class PackagedRouteTest {
     private static final int RANDOM = LongForm.count(2, 20);
     private static final int RUNS = LongForm.count(40, 1000);
 
-    /** Flights past a microphone. */
+    /** Flights past a microphone over a town. */
     private static final int HEARD = 3;
 
     /** Runs of each weakest route with all cues, in the long form. */
@@ -116,7 +116,7 @@ class PackagedRouteTest {
                 : List.of();
     }
 
-    /** Few flights: looks take up to some 20 ms each. By its level, the drone is detected at a place or is not. */
+    /** Few flights, which take a minute or more each. By its level, the drone is detected at a place or is not. */
     @ParameterizedTest(name = "{0}", allowZeroInvocations = true)
     @MethodSource("heard")
     void soDoRunsPastAMicrophone(FlownSite site) {
