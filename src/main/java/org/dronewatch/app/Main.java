@@ -138,10 +138,23 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
         });
         commands.setExecutionExceptionHandler((problem, command, given) -> main.failed(problem, plainErr));
         commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed, silent));
+        // Closed only once the last message is out: the end of the process waits no longer than that.
+        try (Interruption watch = new Interruption()) {
+            main.interruption = watch;
+            int code = main.executed(commands, plainErr, arguments);
+            out.flush();
+            plainErr.flush();
+            return code;
+        } finally {
+            LongTask.watch(null);
+        }
+    }
+
+    private int executed(CommandLine commands, PrintWriter err, String... arguments) {
         try {
             return commands.execute(arguments);
         } catch (Error e) {
-            return main.failed(e, plainErr);
+            return failed(e, err);
         }
     }
 
@@ -163,12 +176,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
         if (!quiet) {
             LoadingBars.show();
         }
-        try (Interruption watch = new Interruption()) {
-            interruption = watch;
-            return new CommandLine.RunLast().execute(parsed);
-        } finally {
-            LongTask.watch(null);
-        }
+        return new CommandLine.RunLast().execute(parsed);
     }
 
     /** Informs the running command whether the user wants it to stop. */
@@ -192,7 +200,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     }
 
     private int failed(Throwable problem, PrintWriter err) {
-        boolean stopped = problem instanceof CancellationException || interruption != null && interruption.happened();
+        boolean stopped = problem instanceof CancellationException || interruption.happened();
         if (stopped && !(problem instanceof InputException)) {
             err.println("interrupted: nothing was written");
         } else {

@@ -57,6 +57,26 @@ class PlaceInterruptionTest {
         assertWhole();
     }
 
+    /** The process waits for the message of an end before there is any result, however slow the console is. */
+    @Test
+    void anEndWithoutResultsIsStated() throws Exception {
+        Path file = PlacedSite.in(directory, "budget: 9\n");
+        Files.writeString(file, Files.readString(file).replace("side: 400 m, cell: 80 m", "side: 400 m, cell: 2 m"));
+        String command = "place radars.place.yaml --threads 1 --no-cache --progress --out out";
+        Outcome outcome;
+        try (Child place =
+                Program.startClass(SlowConsole.class, directory, List.of(), List.of("-Xmx1g"), command.split(" "))) {
+            await(() -> Files.readString(place.err()).contains("read "));
+            place.process().destroy();
+            outcome = place.await();
+        }
+
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(143);
+        assertThat(outcome.err()).contains("interrupted: nothing was written");
+        assertThat(outcome.out()).isEmpty();
+        assertThat(directory.resolve("out")).doesNotExist();
+    }
+
     /** The results of attacks are those of the first ones, as many as are stated. */
     @Test
     void theAttacksSoFarAreWhole() throws Exception {
