@@ -7,6 +7,7 @@ import org.dronewatch.app.console.Interruption;
 import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.CandidateAdvice;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CheaperLayouts;
@@ -39,6 +40,7 @@ public record PlaceTask(
             PlacePlan plan, SolverLimits limits, int budgets, Interruption interruption, TaskProgress shown) {
         plan.runner().adviseOnConditions();
         Stage stage = plan.runner().stage(plan.present());
+        new CandidateAdvice(plan, stage.world()).giveTo(line -> shown.notes().accept("warning: " + line));
         LayerStore store = LayerStore.of(
                 plan.present(),
                 plan.runner().inputs().models(),

@@ -59,7 +59,9 @@ public final class PlaceSearch {
         assessed.run();
         PlacementProblem problem = problem(air.columns());
         PlacementResult result = solver.solve(problem, air.isWhole() ? limits : limits.afterInterruption())
-                .orElseThrow(() -> air.isWhole() ? impossible() : new CancellationException());
+                .orElseThrow(() -> air.isWhole() && !limits.isStopped().getAsBoolean()
+                        ? impossible()
+                        : new CancellationException());
         // What was not assessed could cover everything.
         double bound = air.isWhole() ? result.bound() : cells.size();
         boolean isComplete = air.isWhole() && result.complete();

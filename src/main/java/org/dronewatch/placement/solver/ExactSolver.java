@@ -47,13 +47,14 @@ public final class ExactSolver implements PlacementSolver {
     private static double search(
             Gains gains, Incumbent incumbent, Cutoff cutoff, OptionalDouble needed, BooleanSupplier isStopped) {
         if (gains.form == Gains.Form.BEST_LEAST) {
-            Start start = new Start(gains, incumbent, isStopped);
+            Start start = new Start(gains, incumbent, new Grace(isStopped));
             return new LevelSearch(gains, incumbent, cutoff, needed, start, isStopped).search();
         }
         Gains summed = gains.form == Gains.Form.LEAST_SUM
                 ? gains.weighted(new GroupWeights(gains, incumbent, isStopped).found())
                 : gains;
-        return new BranchAndBound(summed, incumbent, cutoff, new Start(summed, incumbent, isStopped), isStopped)
+        return new BranchAndBound(
+                        summed, incumbent, cutoff, new Start(summed, incumbent, new Grace(isStopped)), isStopped)
                 .search();
     }
 

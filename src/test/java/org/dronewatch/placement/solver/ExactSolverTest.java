@@ -98,6 +98,28 @@ class ExactSolverTest {
         }
     }
 
+    /** Also under conditions for which only trials find a first choice. */
+    @Test
+    void findsAChoiceHoweverEarlyItEnds() {
+        PlacementConditions five = PlacementConditions.NONE.withAtMost(5);
+        assertStoppedAtOnceChooses(PlacementObjective.MEAN_IMPACT, five);
+        assertStoppedAtOnceChooses(PlacementObjective.MEAN_IMPACT, five.withFold(2));
+        assertStoppedAtOnceChooses(PlacementObjective.WORST_IMPACT, five);
+        assertStoppedAtOnceChooses(PlacementObjective.WORST_IMPACT, five.withFold(2));
+        assertStoppedAtOnceChooses(PlacementObjective.MEAN_IMPACT, five.withAnyoneLost(9000.0));
+    }
+
+    private static void assertStoppedAtOnceChooses(PlacementObjective objective, PlacementConditions conditions) {
+        PlacementProblem problem = new PlacementProblem(KnownInstances.network("pmed1.txt"), objective, conditions);
+        SolverLimits stopped = new SolverLimits(0.0, Double.POSITIVE_INFINITY, () -> true);
+        PlacementResult result = new ExactSolver().solve(problem, stopped).orElseThrow();
+
+        assertThat(result.chosen()).as(objective + " " + conditions).isNotEmpty();
+        assertThat(problem.isAllowed(result.chosen())).isTrue();
+        assertThat(result.bound()).isLessThanOrEqualTo(result.value());
+        assertThat(result.complete()).isFalse();
+    }
+
     private static int assertIsBest(PlacementProblem problem, String name) {
         BruteForce all = new BruteForce(problem);
         double best = all.best();
