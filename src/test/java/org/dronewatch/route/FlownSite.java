@@ -66,7 +66,7 @@ record FlownSite(
             new FlownSite("closed-space", "scenes/closed-space.yaml", OBSERVER_ALONE, "quadrotor", 40, 2, 0.01),
             new FlownSite("listening-post", "scenes/listening-post.yaml", Map.of(), "intruder", 800, 50, 0.01),
             new FlownSite("acoustic-range", "acoustic-range", Map.of(), "quadrotor", 500, 50, 0.01),
-            new FlownSite("multi-sensor-microphone", "multi-sensor", noCameras(), "quadrotor", 300, 30, 0.01),
+            new FlownSite("multi-sensor-microphone", "multi-sensor", noCameras(), "quadrotor", 300, 60, 0.01),
             monaco("monaco", NO_MICROPHONE, 2400, 80),
             monaco("monaco-without-receiver", NEITHER, 2400, 80));
 
