@@ -9,7 +9,7 @@ import org.dronewatch.placement.site.PlacedSite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Warnings of candidates that can see nothing from where they are. */
+/** What is said of candidates that can see nothing from where they are, or cannot be bought. */
 class PlaceCandidatesTest {
     @TempDir
     private Path directory;
@@ -37,5 +37,27 @@ class PlaceCandidatesTest {
         assertThat(Program.run("place", file.toString(), "--budgets=1", "--quiet")
                         .err())
                 .doesNotContain("inside a wall");
+    }
+
+    @Test
+    void aBudgetBelowAllPricesIsStated() throws Exception {
+        assertThat(placed("budget: 0.5\n"))
+                .contains("No sensor is affordable: the cheapest, eye-1-0, costs 1, and the budget is 0.5.")
+                .doesNotContain("Buying nothing");
+    }
+
+    @Test
+    void aFoldOfMoreSensorsThanTheBudgetBuysIsStated() throws Exception {
+        assertThat(placed("budget: 9\nconditions: {fold: 10}\n"))
+                .contains("No layout can gain anything: conditions.fold asks for 10 sensors at once, and the"
+                        + " budget allows a layout of at most 7.")
+                .doesNotContain("Buying nothing");
+    }
+
+    private String placed(String more) throws Exception {
+        Path file = PlacedSite.in(directory, more);
+        Outcome outcome = Program.run("place", file.toString(), "--budgets=1", "--quiet");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        return outcome.out();
     }
 }

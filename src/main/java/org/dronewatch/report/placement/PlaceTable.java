@@ -1,12 +1,14 @@
 package org.dronewatch.report.placement;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PlacedLayout;
@@ -76,8 +78,47 @@ final class PlaceTable {
                 layout.chosen().stream().anyMatch(sensor -> !sensor.candidate().fixed());
         return isBought || layout.plan().settings().budget() == 0.0 || !layout.complete()
                 ? Optional.empty()
-                : Optional.of("Buying nothing would do as well: no layout within the budget was found that gains"
-                        + " anything.");
+                : Optional.of(unaffordable()
+                        .or(this::unreachable)
+                        .orElse("Buying nothing would do as well: no layout within the budget was found that gains"
+                                + " anything."));
+    }
+
+    /** That even the cheapest sensor costs more than the budget, in a sentence; empty if it does not. */
+    private Optional<String> unaffordable() {
+        double budget = layout.plan().settings().budget();
+        return layout.plan().candidates().stream()
+                .map(SiteCandidate::candidate)
+                .filter(one -> !one.fixed())
+                .min(Comparator.comparingDouble(Candidate::cost))
+                .filter(cheapest -> cheapest.cost() > budget)
+                .map(cheapest -> "No sensor is affordable: the cheapest, " + cheapest.name() + ", costs "
+                        + Numbers.text(cheapest.cost()) + ", and the budget is " + Numbers.text(budget) + ".");
+    }
+
+    /** That a layout cannot have as many sensors as must cover a place together, in a sentence; empty if it can. */
+    private Optional<String> unreachable() {
+        int fold = layout.plan().settings().conditions().fold();
+        int most = mostSensors();
+        return fold > most
+                ? Optional.of("No layout can gain anything: conditions.fold asks for " + fold
+                        + " sensors at once, and the budget allows a layout of at most " + most + ".")
+                : Optional.empty();
+    }
+
+    /** What the budget buys if the cheapest sensors are bought, with those that are kept. */
+    private int mostSensors() {
+        double left = layout.plan().settings().budget();
+        int most = 0;
+        List<Candidate> byCost = layout.plan().candidates().stream()
+                .map(SiteCandidate::candidate)
+                .sorted(Comparator.comparingDouble(one -> one.fixed() ? 0.0 : one.cost()))
+                .toList();
+        for (Candidate one : byCost) {
+            left -= one.fixed() ? 0.0 : one.cost();
+            most += left >= 0.0 ? 1 : 0;
+        }
+        return most;
     }
 
     /** What the scene's own sensors achieve, in a sentence; empty if it has none. */
