@@ -70,4 +70,10 @@ public record FlightLimits(
             case HYBRID -> new FlightLimits(5.0, 5.0, wingTurn, true, least, CEILING, AN_HOUR, WING_GLIDE, speed);
         };
     }
+
+    /** The same limits for flights whose corners stand for turns, such as those of routes. */
+    public FlightLimits turningInstantly() {
+        return new FlightLimits(
+                climb, sink, Double.POSITIVE_INFINITY, hover, leastSpeed, ceiling, endurance, glideRatio, glideSpeed);
+    }
 }

@@ -12,7 +12,9 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.drone.Drone;
+import org.dronewatch.drone.FlightLimits;
 import org.dronewatch.flight.FlightPath;
+import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.SteeredFlight;
 import org.dronewatch.flight.SteeringClock;
 import org.dronewatch.fusion.Alert;
@@ -136,7 +138,7 @@ public final class Stage {
 
     /**
      * Flights must stay above the ground and outside of walls, and within the performance of their drones where it is
-     * stated; steered ones are not known yet.
+     * stated; steered ones are not known yet. The corners of a route stand for turns for which its legs have room.
      */
     private void adviseOnFlights(SceneSettings settings, ModelCache models) {
         double duration = settings.run().duration();
@@ -146,7 +148,10 @@ public final class Stage {
                 new PathAdvice(id, world, world.newGround(), duration).giveTo(path, models::warn);
             }
             if (drone.performance().isPresent() && SteeredFlight.in(path).isEmpty()) {
-                new FlightAdvice(id, drone.flightLimits(), world.newGround(), duration).giveTo(path, models::warn);
+                FlightLimits limits = drone.flightLimits();
+                boolean isRoute = drone.flight() instanceof RouteFlight;
+                new FlightAdvice(id, isRoute ? limits.turningInstantly() : limits, world.newGround(), duration)
+                        .giveTo(path, models::warn);
             }
         });
     }
