@@ -39,13 +39,15 @@ final class RouteSmoothing {
     private final double spacing;
     private final double[][] axes;
     private final Optional<Position> before;
+    private final Optional<Position> next;
     private final List<double[]> points = new ArrayList<>();
 
     /** The mode of the leg that leaves each point. */
     private final List<Integer> modes = new ArrayList<>();
 
-    private RouteSmoothing(RouteProblem problem, RoutePath path, Optional<Position> before) {
+    private RouteSmoothing(RouteProblem problem, RoutePath path, Optional<Position> before, Optional<Position> next) {
         this.before = before;
+        this.next = next;
         this.exposure = new RouteExposure(problem);
         this.limits = new LegLimits(problem);
         this.spacing = problem.grid().spacing();
@@ -56,19 +58,28 @@ final class RouteSmoothing {
 
     /** The smoothed path; its ends stay where they are. */
     static RoutePath of(RouteProblem problem, RoutePath path) {
-        return of(problem, path, Optional.empty());
+        return of(problem, path, Optional.empty(), Optional.empty());
+    }
+
+    /** The same for a path that another one continues, to whose first corner it must be able to turn. */
+    static RoutePath before(RoutePath rest, RouteProblem problem, RoutePath path) {
+        Optional<Position> next = rest.modes().isEmpty()
+                ? Optional.empty()
+                : Optional.of(rest.points().get(1));
+        return of(problem, path, Optional.empty(), next);
     }
 
     /** The same for a path that continues another one, and turns into it from a point on its last leg. */
     static RoutePath after(Position before, RouteProblem problem, RoutePath path) {
-        return of(problem, path, Optional.of(before));
+        return of(problem, path, Optional.of(before), Optional.empty());
     }
 
-    private static RoutePath of(RouteProblem problem, RoutePath path, Optional<Position> before) {
+    private static RoutePath of(
+            RouteProblem problem, RoutePath path, Optional<Position> before, Optional<Position> next) {
         if (path.modes().isEmpty()) {
             return path;
         }
-        RouteSmoothing smoothing = new RouteSmoothing(problem, path, before);
+        RouteSmoothing smoothing = new RouteSmoothing(problem, path, before, next);
         RoutePath smooth = smoothing.smooth();
         boolean isBetter = smoothing.exposure.along(smooth) <= smoothing.exposure.along(path);
         return isBetter ? smooth : path;
@@ -157,18 +168,21 @@ final class RouteSmoothing {
 
     /** Whether the corner at a point can be flown. */
     private boolean isTurnable(int i) {
+        int last = points.size() - 1;
         boolean isFirst = i <= 0;
-        if (i >= points.size() - 1 || isFirst && before.isEmpty()) {
+        boolean isLast = i >= last;
+        if (isFirst && before.isEmpty() || isLast && next.isEmpty()) {
             return true;
         }
-        double[] at = points.get(Math.max(0, i));
-        double[] to = points.get(Math.max(0, i) + 1);
-        double fromX = isFirst ? before.get().x() : points.get(i - 1)[0];
-        double fromY = isFirst ? before.get().y() : points.get(i - 1)[1];
-        return limits.isTurnable(at[0] - fromX, at[1] - fromY, to[0] - at[0], to[1] - at[1]);
+        double[] at = points.get(Math.max(0, Math.min(last, i)));
+        double fromX = isFirst ? before.get().x() : points.get(Math.min(last, i) - 1)[0];
+        double fromY = isFirst ? before.get().y() : points.get(Math.min(last, i) - 1)[1];
+        double toX = isLast ? next.get().x() : points.get(Math.max(0, i) + 1)[0];
+        double toY = isLast ? next.get().y() : points.get(Math.max(0, i) + 1)[1];
+        return limits.isTurnable(at[0] - fromX, at[1] - fromY, toX - at[0], toY - at[1]);
     }
 
-    /** Puts a point into the middle of every leg that is not short. */
+    /** Puts a point into the middle of every leg that is not short, if the turns at its ends need no more than half. */
     private void split() {
         for (int i = modes.size() - 1; i >= 0; i--) {
             double[] from = points.get(i);
@@ -178,6 +192,10 @@ final class RouteSmoothing {
                         i + 1,
                         new double[] {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (from[2] + to[2])});
                 modes.add(i + 1, modes.get(i));
+                if (!isTurnable(i) || !isTurnable(i + 2)) {
+                    points.remove(i + 1);
+                    modes.remove(i + 1);
+                }
             }
         }
     }

@@ -209,10 +209,10 @@ public final class WeakestRoutes {
 
     /** The route through some states, smoothed, and then to its end. */
     private Smoothed smoothed(List<Integer> states, double lower) {
-        RoutePath smooth = RouteSmoothing.of(priced, tree.path(states));
-        RoutePath whole =
-                finish.of(onwards.map(times -> smooth.then(times.path(times.from(states.get(states.size() - 1)))))
-                        .orElse(smooth));
+        RoutePath path = tree.path(states);
+        RoutePath rest = onwards.map(times -> times.path(times.from(states.get(states.size() - 1))))
+                .orElseGet(() -> path.after(path));
+        RoutePath whole = finish.of(RouteSmoothing.before(rest, priced, path).then(rest));
         return new Smoothed(described(whole, lower), new RouteExposure(priced).along(finish.counted(whole)));
     }
 

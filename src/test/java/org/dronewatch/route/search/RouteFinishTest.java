@@ -8,6 +8,7 @@ import java.util.List;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.exposure.ExposureField;
+import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.route.exposure.SummedExposure;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +23,8 @@ class RouteFinishTest {
     private static final ProtectedZone ZONE = new ProtectedZone(new Position(0, 0, 0), RADIUS);
     private static final RouteGrid GRID =
             RouteGrid.level(-400.0, -400.0, 20.0, 41, 41, LOWEST, 30.0, 60.0, 90.0, 120.0);
+
+    private static final Position ZERO = new Position(0.0, 0.0, 0.0);
 
     private static RouteProblem problem(double turnRadius, int directions) {
         BitSet starts = new BitSet();
@@ -88,15 +91,44 @@ class RouteFinishTest {
         }
     }
 
-    @Test
-    void turnsKeepTheirRoom() {
-        RouteProblem problem = problem(40.0, 16);
-        RoutePath path = from(problem, 30, 400, 60).path();
-        LegLimits limits = new LegLimits(problem);
-        for (int i = 1; i < path.modes().size(); i++) {
-            Position in = path.points().get(i).minus(path.points().get(i - 1));
-            Position out = path.points().get(i + 1).minus(path.points().get(i));
-            assertThat(limits.isTurnable(in.x(), in.y(), out.x(), out.y())).isTrue();
+    /** Blind to flight at right angles to the line of sight, so that routes have many turns. */
+    private record Blind() implements ExposureField {
+        @Override
+        public double rate(double x, double y, double z, LegMotion motion, int mode) {
+            double distance = Math.hypot(x, y) + 1.0;
+            double radial = x * Math.sin(motion.heading()) + y * Math.cos(motion.heading());
+            return Math.abs(radial) < 0.2 * distance ? 0.0 : 1e4 / (distance * distance);
         }
+
+        @Override
+        public double least(Position low, Position high, int mode) {
+            return 0.0;
+        }
+    }
+
+    /** From many places; only the last leg may be cut short where it arrives. */
+    @ParameterizedTest
+    @CsvSource({"40, 16", "30, 48"})
+    void turnsKeepTheirRoom(double turnRadius, int directions) {
+        RouteProblem problem = problem(turnRadius, directions).withField(new Blind());
+        WeakestRoutes routes = routes(problem);
+        LegLimits limits = new LegLimits(problem);
+        int turns = 0;
+        for (int node = 5; node < GRID.size(); node += GRID.size() / 13) {
+            BitSet start = new BitSet();
+            start.set(node);
+            RoutePath path = routes.from(start).map(WeakestRoute::path).orElse(new RoutePath(List.of(ZERO), List.of()));
+            for (int i = 1; i < path.modes().size() - 1; i++) {
+                Position in = path.points().get(i).minus(path.points().get(i - 1));
+                Position out = path.points().get(i + 1).minus(path.points().get(i));
+                assertThat(limits.isTurnable(in.x(), in.y(), out.x(), out.y()))
+                        .as(
+                                "from %s, at %s",
+                                path.points().get(0), path.points().get(i))
+                        .isTrue();
+                turns++;
+            }
+        }
+        assertThat(turns).isGreaterThan(30);
     }
 }
