@@ -66,12 +66,13 @@ record FlownSite(
             new FlownSite("closed-space", "scenes/closed-space.yaml", OBSERVER_ALONE, "quadrotor", 40, 2, 0.01),
             new FlownSite("listening-post", "scenes/listening-post.yaml", Map.of(), "intruder", 800, 50, 0.01),
             new FlownSite("acoustic-range", "acoustic-range", Map.of(), "quadrotor", 500, 50, 0.01),
-            new FlownSite("multi-sensor-microphone", "multi-sensor", noCameras(), "quadrotor", 300, 60, 0.01),
             monaco("monaco", NO_MICROPHONE, 2400, 80),
             monaco("monaco-without-receiver", NEITHER, 2400, 80));
 
-    /** With a microphone over a town, only for a few random flights. */
-    static final List<FlownSite> HEARD = List.of(monaco("monaco-microphone", others(), 1200, 300));
+    /** With a microphone whose looks take long, only for a few random flights. */
+    static final List<FlownSite> HEARD = List.of(
+            monaco("monaco-microphone", others(), 1200, 300),
+            new FlownSite("multi-sensor-microphone", "multi-sensor", noCameras(), "quadrotor", 300, 30, 0.01));
 
     private static FlownSite monaco(String name, Map<String, String> overrides, double side, double cell) {
         return new FlownSite(name, "scenes/monaco.yaml", overrides, "from-the-sea", side, cell, 1e-4);

@@ -42,7 +42,7 @@ class PackagedRouteTest {
     private static final int RANDOM = LongForm.count(2, 20);
     private static final int RUNS = LongForm.count(40, 1000);
 
-    /** Flights past a microphone over a town. */
+    /** Flights past a microphone whose looks take long. */
     private static final int HEARD = 3;
 
     /** Runs of each weakest route with all cues, in the long form. */
@@ -120,7 +120,7 @@ class PackagedRouteTest {
                 : List.of();
     }
 
-    /** Few flights, which take a minute or more each. By its level, the drone is detected at a place or is not. */
+    /** Few flights, which may take minutes each. By its level, the drone is detected at a place or is not. */
     @ParameterizedTest(name = "{0}", allowZeroInvocations = true)
     @MethodSource("heard")
     void soDoRunsPastAMicrophone(FlownSite site) {
