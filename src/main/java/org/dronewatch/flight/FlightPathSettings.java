@@ -33,6 +33,11 @@ public interface FlightPathSettings {
      */
     FlightPath create(double speed, double acceleration, Ground ground);
 
+    /** Whether the drone turns instantly, at corners that stand for turns for which the legs have room. */
+    default boolean turnsInstantly() {
+        return false;
+    }
+
     /** The compass heading of a displacement, rad clockwise from north; north for a vertical one. */
     private static double headingOf(Position vector) {
         return Math.atan2(vector.x(), vector.y());

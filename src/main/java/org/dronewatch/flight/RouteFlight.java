@@ -56,6 +56,11 @@ public record RouteFlight(
         return new RouteFlight(from, legs, 0.0);
     }
 
+    @Override
+    public boolean turnsInstantly() {
+        return true;
+    }
+
     /** The same flight with another delay, s. */
     public RouteFlight withDelay(double seconds) {
         return new RouteFlight(from, legs, seconds);

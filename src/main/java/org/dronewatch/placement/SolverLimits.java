@@ -1,6 +1,8 @@
 package org.dronewatch.placement;
 
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 
 /**
  * When a search may end before it has proven a layout to be the best.
@@ -36,6 +38,16 @@ public record SolverLimits(double gap, double seconds, BooleanSupplier isStopped
     /** A copy with another time limit, s. */
     public SolverLimits withSeconds(double other) {
         return new SolverLimits(gap, other, isStopped);
+    }
+
+    /**
+     * Why a search has found no layout.
+     *
+     * @param impossible what to throw if none complies with the conditions
+     * @return that or, if the search was stopped before it could know, a {@link CancellationException}
+     */
+    public RuntimeException none(Supplier<? extends RuntimeException> impossible) {
+        return isStopped.getAsBoolean() ? new CancellationException() : impossible.get();
     }
 
     /**

@@ -14,7 +14,6 @@ import org.dronewatch.buildings.LoadedBuildings;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.FlightLimits;
 import org.dronewatch.flight.FlightPath;
-import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.flight.SteeredFlight;
 import org.dronewatch.flight.SteeringClock;
 import org.dronewatch.fusion.Alert;
@@ -138,7 +137,7 @@ public final class Stage {
 
     /**
      * Flights must stay above the ground and outside of walls, and within the performance of their drones where it is
-     * stated; steered ones are not known yet. The corners of a route stand for turns for which its legs have room.
+     * stated; steered ones are not known yet.
      */
     private void adviseOnFlights(SceneSettings settings, ModelCache models) {
         double duration = settings.run().duration();
@@ -149,8 +148,8 @@ public final class Stage {
             }
             if (drone.performance().isPresent() && SteeredFlight.in(path).isEmpty()) {
                 FlightLimits limits = drone.flightLimits();
-                boolean isRoute = drone.flight() instanceof RouteFlight;
-                new FlightAdvice(id, isRoute ? limits.turningInstantly() : limits, world.newGround(), duration)
+                boolean isInstant = drone.flight().turnsInstantly();
+                new FlightAdvice(id, isInstant ? limits.turningInstantly() : limits, world.newGround(), duration)
                         .giveTo(path, models::warn);
             }
         });

@@ -1,5 +1,6 @@
 package org.dronewatch.setting;
 
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -44,6 +45,14 @@ public final class PlainText {
     /** A text of several lines: all characters are visible; line breaks and tabs are unchanged. */
     public static String lines(String text) {
         return visible(text, true);
+    }
+
+    /** Words in a row, {@code a, b and c}; an empty text without words. */
+    public static String list(List<String> words) {
+        int last = words.size() - 1;
+        return last < 1
+                ? String.join("", words)
+                : String.join(", ", words.subList(0, last)) + " and " + words.get(last);
     }
 
     /** Whether a character could control a terminal, break a line or change the direction of the text. */

@@ -2,6 +2,7 @@ package org.dronewatch.setting;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -78,5 +79,13 @@ class PlainTextTest {
         assertThat(PlainText.beginning("four", 4)).isEqualTo("four");
         assertThat(PlainText.beginning("fives", 4)).isEqualTo("five...");
         assertThat(PlainText.beginning("abc\uD83D\uDE81d", 4)).isEqualTo("abc...");
+    }
+
+    @Test
+    void wordsInARow() {
+        assertThat(PlainText.list(List.of())).isEmpty();
+        assertThat(PlainText.list(List.of("a"))).isEqualTo("a");
+        assertThat(PlainText.list(List.of("a", "b"))).isEqualTo("a and b");
+        assertThat(PlainText.list(List.of("a, b", "c", "d"))).isEqualTo("a, b, c and d");
     }
 }

@@ -64,7 +64,7 @@ public final class RouteLayouts {
      * @throws CancellationException when this thread is interrupted before the first layout has been tried
      */
     public RoutePlacement found(SolverLimits limits, IntConsumer round) {
-        return figures.of(planes.solve(limits, round).orElseThrow(this::impossible));
+        return figures.of(planes.solve(limits, round).orElseThrow(() -> limits.none(this::impossible)));
     }
 
     private InputException impossible() {

@@ -59,9 +59,7 @@ public final class PlaceSearch {
         assessed.run();
         PlacementProblem problem = problem(air.columns());
         PlacementResult result = solver.solve(problem, air.isWhole() ? limits : limits.afterInterruption())
-                .orElseThrow(() -> air.isWhole() && !limits.isStopped().getAsBoolean()
-                        ? impossible()
-                        : new CancellationException());
+                .orElseThrow(() -> air.isWhole() ? limits.none(this::impossible) : new CancellationException());
         // What was not assessed could cover everything.
         double bound = air.isWhole() ? result.bound() : cells.size();
         boolean isComplete = air.isWhole() && result.complete();

@@ -74,8 +74,7 @@ public final class WarningSearch {
         double longest = ConditionedFlights.longest(warnings.get(0));
         PlacementProblem problem = problem(warnings, longest);
         PlacementResult result = solver.solve(problem, isWhole ? limits : limits.afterInterruption())
-                .orElseThrow(() ->
-                        isWhole && !limits.isStopped().getAsBoolean() ? impossible() : new CancellationException());
+                .orElseThrow(() -> isWhole ? limits.none(this::impossible) : new CancellationException());
         double bound = isWhole ? result.bound() : isWorst ? 0.0 : longest;
         boolean isComplete = isWhole && result.complete();
         return new WarningPlacement(

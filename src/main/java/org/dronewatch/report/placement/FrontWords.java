@@ -10,6 +10,7 @@ import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.site.TriedBudgets;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.setting.Counted;
+import org.dronewatch.setting.PlainText;
 
 /** What more money buys, in a line for each step. */
 final class FrontWords {
@@ -70,14 +71,16 @@ final class FrontWords {
         return tried.infeasible().isEmpty()
                 ? Optional.empty()
                 : Optional.of("No layout complies with the conditions for these budgets, which were also tried: "
-                        + list(tried.infeasible().stream().map(money::apply).toList()) + ".");
+                        + PlainText.list(
+                                tried.infeasible().stream().map(money::apply).toList()) + ".");
     }
 
     /** {@code radar-2 in place of radio-1; closes the west at 30 to 60 m (12.0 % before, 98.1 % now)}. */
     String change(FrontPoint<? extends PlacedLayout> point) {
         String change = point.added().isEmpty()
-                ? point.removed().isEmpty() ? "no further sensor" : "without " + list(point.removed())
-                : list(point.added()) + (point.removed().isEmpty() ? "" : " in place of " + list(point.removed()));
+                ? point.removed().isEmpty() ? "no further sensor" : "without " + PlainText.list(point.removed())
+                : PlainText.list(point.added())
+                        + (point.removed().isEmpty() ? "" : " in place of " + PlainText.list(point.removed()));
         return change
                 + point.gain()
                         .map(gain -> "; " + measure.gained(gain, isFirst(point)))
@@ -95,11 +98,6 @@ final class FrontWords {
     /** What a part of the airspace was worth and is now, in brackets: {@code  (56.5 % before, 93.3 % now)}. */
     static String change(boolean isFirst, String before, String after) {
         return " (" + before + (isFirst ? " without" : " before") + ", " + after + (isFirst ? " with)" : " now)");
-    }
-
-    /** {@code a, b and c}. */
-    static String list(List<String> names) {
-        return String.join(", ", names).replaceFirst(", ([^,]+)$", " and $1");
     }
 
     /** A fraction or probability in percent: 100.0 for all alone. */

@@ -18,6 +18,7 @@ import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
+import org.dronewatch.setting.PlainText;
 
 /** Maps of what the layout and the scene's own sensors cover at each height. */
 final class PlacePictures {
@@ -130,7 +131,7 @@ final class PlacePictures {
             groups.forEach((at, names) -> sheet.label(
                     at,
                     names.size() <= 2
-                            ? FrontWords.list(names)
+                            ? PlainText.list(names)
                             : names.get(0) + " and " + (names.size() - 1) + " others"));
             sheet.frame();
         }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.setting.PlainText;
 
 /** The directions of several routes in words. */
 final class RouteDirections {
@@ -27,10 +28,7 @@ final class RouteDirections {
             case 1 -> ALL + " but the " + RouteWords.sector(others.get(0));
             default ->
                 "from the "
-                        + String.join(
-                                        ", ",
-                                        routes.stream().map(RouteWords::sector).toList())
-                                .replaceFirst(", ([^,]+)$", " and $1");
+                        + PlainText.list(routes.stream().map(RouteWords::sector).toList());
         };
     }
 

@@ -16,6 +16,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Condition;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.world.Light;
@@ -88,19 +89,14 @@ public final class ConditionAdvice {
                         subject -> new ArrayList<>())
                 .add(written.get(concern.condition())));
         List<String> lines = new ArrayList<>();
-        settings.forEach((subject, ignored) -> lines.add(enumerated(ignored)
+        settings.forEach((subject, ignored) -> lines.add(PlainText.list(ignored)
                 + (ignored.size() == 1 ? " does" : " do")
                 + " not change what is detected by " + subject.sensors() + ": " + subject.instead()));
         if (!unheard.isEmpty()) {
-            lines.add(enumerated(List.copyOf(unheard)) + (unheard.size() == 1 ? " has" : " have")
+            lines.add(PlainText.list(List.copyOf(unheard)) + (unheard.size() == 1 ? " has" : " have")
                     + " no effect: the scene has no acoustic sensor");
         }
         return lines;
-    }
-
-    private static String enumerated(List<String> words) {
-        int last = words.size() - 1;
-        return last == 0 ? words.get(0) : String.join(", ", words.subList(0, last)) + " and " + words.get(last);
     }
 
     /** The setting of a condition with its value, unless it is the default. */

@@ -12,6 +12,7 @@ import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.scenario.SweepSettings;
 import org.dronewatch.scenario.SweptValue;
+import org.dronewatch.setting.PlainText;
 
 /**
  * The result of a sweep: in how many runs an alert was raised, in how many in time, and the verdict of the worst run.
@@ -86,7 +87,7 @@ final class SweepVerdict {
                         .orElse(""))
                 .toList();
         String name = value(some.get(0)).replaceFirst(" .*", "") + " ";
-        return name + Verdict.list(texts);
+        return name + PlainText.list(texts);
     }
 
     private static String with(RunResult run) {

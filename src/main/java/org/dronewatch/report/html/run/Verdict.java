@@ -13,6 +13,7 @@ import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
+import org.dronewatch.setting.PlainText;
 
 /** The result of one run in a few sentences for each drone and each swarm. */
 final class Verdict {
@@ -171,7 +172,9 @@ final class Verdict {
         }
         String when = format(
                 "The alert is raised by %s %s s after the start",
-                list(alert.sensors().stream().map(sensor -> "'" + sensor + "'").toList()),
+                PlainText.list(alert.sensors().stream()
+                        .map(sensor -> "'" + sensor + "'")
+                        .toList()),
                 number(alert.time().getAsDouble()));
         if (alert.warning().isEmpty()) {
             return when + ".";
@@ -185,13 +188,5 @@ final class Verdict {
                 + alert.inTime()
                         .map(enough -> format(": %s %s.", enough ? "in time" : "too late", required()))
                         .orElse(".");
-    }
-
-    /** {@code a, b and c}. */
-    static String list(List<String> items) {
-        int last = items.size() - 1;
-        return last < 1
-                ? String.join("", items)
-                : String.join(", ", items.subList(0, last)) + " and " + items.get(last);
     }
 }
