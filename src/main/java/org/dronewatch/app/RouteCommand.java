@@ -120,7 +120,8 @@ final class RouteCommand implements Callable<Integer> {
             throw new InputException("the scene has no enabled sensor: no route is weaker than another");
         }
         options.stopped(settings);
-        List<FlightMode> modes = options.modes(settings.individualDrones().get(id));
+        List<FlightMode> modes = options.modes(
+                settings.individualDrones().get(id), settings.enabledSensors().values());
         Optional<AreaZone> launch = options.launchArea(runner, settings);
         RouteWindow window = new RouteWindow(
                 scene,

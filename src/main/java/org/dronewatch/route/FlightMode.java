@@ -1,5 +1,7 @@
 package org.dronewatch.route;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import org.dronewatch.analysis.cell.Course;
@@ -9,17 +11,35 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * A mode in which a drone may fly on a route. The drone may change modes only in the order in which they are listed.
+ * A mode in which a drone may fly on a route.
+ *
+ * @param kind what distinguishes it
+ * @param speed along the path, m/s
  */
-public enum FlightMode {
-    /** With its motors running, at cruise speed. */
-    POWERED,
-    /** With its motors off, quiet and cold: it can only descend. */
-    GLIDE;
+public record FlightMode(Kind kind, double speed) {
+    /** Kinds of modes. The drone may change between those under power at any time, and once to a glide. */
+    public enum Kind {
+        /** With its motors running, at cruise speed. */
+        POWERED,
+        /** With its motors running, so slowly that radars which reject low radial speeds do not see it. */
+        SLOW,
+        /** With its motors off, quiet and cold: it can only descend. */
+        GLIDE
+    }
 
-    /** All modes in which a drone can fly. */
-    public static List<FlightMode> of(DroneSettings drone) {
-        return drone.flightLimits().glideRatio() > 0.0 ? List.of(POWERED, GLIDE) : List.of(POWERED);
+    /**
+     * All modes in which a drone can fly and that differ for some sensors, in the order of their kinds.
+     *
+     * @param sensors the sensors that it has to pass
+     */
+    public static List<FlightMode> of(DroneSettings drone, Collection<SensorSettings<?>> sensors) {
+        List<FlightMode> modes = new ArrayList<>();
+        modes.add(new FlightMode(Kind.POWERED, drone.speed()));
+        SlowFlight.speeds(drone, sensors).forEach(speed -> modes.add(new FlightMode(Kind.SLOW, speed)));
+        if (drone.flightLimits().glideRatio() > 0.0) {
+            modes.add(new FlightMode(Kind.GLIDE, drone.flightLimits().glideSpeed()));
+        }
+        return List.copyOf(modes);
     }
 
     /**
@@ -29,7 +49,11 @@ public enum FlightMode {
      * @throws IllegalArgumentException if the drone cannot fly in this mode
      */
     public List<Course> courses(Map<String, SensorSettings<?>> sensors, Drone drone) {
-        return this == POWERED ? Course.all(sensors, drone) : Course.gliding(sensors, drone);
+        return switch (kind) {
+            case POWERED -> Course.all(sensors, drone);
+            case SLOW -> Course.at(speed, sensors, drone);
+            case GLIDE -> Course.gliding(sensors, drone);
+        };
     }
 
     /**
@@ -39,6 +63,10 @@ public enum FlightMode {
      * @throws IllegalArgumentException if the drone cannot fly in this mode
      */
     public ModeField with(DetectionField field, DroneSettings drone) {
-        return this == POWERED ? ModeField.powered(field, drone) : ModeField.gliding(field, drone);
+        return switch (kind) {
+            case POWERED -> ModeField.powered(field, drone);
+            case SLOW -> ModeField.slow(field, drone, speed);
+            case GLIDE -> ModeField.gliding(field, drone);
+        };
     }
 }

@@ -8,13 +8,17 @@ import org.dronewatch.route.search.RouteMode;
  * A mode in which a drone may fly, and how it is detected while it does.
  *
  * @param mode the mode
- * @param field field of single looks, on all {@linkplain org.dronewatch.analysis.cell.Course#all courses} under power,
- *     or on those of a {@linkplain org.dronewatch.analysis.cell.Course#gliding glide}
+ * @param field field of single looks, on the {@linkplain FlightMode#courses courses} of the mode
  */
 public record ModeField(RouteMode mode, DetectionField field) {
     /** Flight under power at cruise speed. */
     public static ModeField powered(DetectionField field, DroneSettings drone) {
         return new ModeField(RouteMode.powered(drone.flightLimits(), drone.speed()), field);
+    }
+
+    /** Flight under power at another speed than the cruise speed, m/s. */
+    public static ModeField slow(DetectionField field, DroneSettings drone, double speed) {
+        return new ModeField(RouteMode.slow(drone.flightLimits(), speed), field);
     }
 
     /**

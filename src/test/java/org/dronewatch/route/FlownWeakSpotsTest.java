@@ -112,6 +112,12 @@ class FlownWeakSpotsTest {
 
     private Flown fly(String world, String sensors, String performance, double response, int sector)
             throws IOException {
+        return fly(world, sensors, performance, response, sector, List.of(FlightMode.Kind.values()));
+    }
+
+    private Flown fly(
+            String world, String sensors, String performance, double response, int sector, List<FlightMode.Kind> kinds)
+            throws IOException {
         Path file = directory.resolve("site.yaml");
         Files.writeString(
                 file,
@@ -137,7 +143,7 @@ class FlownWeakSpotsTest {
         try (Workers workers = new Workers(2)) {
             return workers.call(() -> {
                 SiteRoutes routes =
-                        SiteRoutes.of(fields(settings, stage, grid), settings, stage, DRONE, Optional.empty());
+                        SiteRoutes.of(fields(settings, stage, grid, kinds), settings, stage, DRONE, Optional.empty());
                 SectorRoute found = routes.describe(sector, routes.from(sector).orElseThrow());
                 RouteSurvey survey = new RouteSurvey(List.of(found), routes.modes(), routes.target(), response, true);
                 RepeatedSearch search = new RepeatedSearch(
@@ -166,10 +172,16 @@ class FlownWeakSpotsTest {
     }
 
     /** By mode in which the drone can fly. */
-    private static List<ModeField> fields(SceneSettings settings, Stage stage, FieldGrid grid) {
+    private static List<ModeField> fields(
+            SceneSettings settings, Stage stage, FieldGrid grid, List<FlightMode.Kind> kinds) {
         Drone drone = DetectionField.droneOf(stage, DRONE);
         List<ModeField> fields = new ArrayList<>();
-        for (FlightMode mode : FlightMode.of(drone.settings())) {
+        List<FlightMode> modes = FlightMode.of(
+                        drone.settings(), settings.enabledSensors().values())
+                .stream()
+                .filter(mode -> kinds.contains(mode.kind()))
+                .toList();
+        for (FlightMode mode : modes) {
             DetectionField field = FieldAssessment.of(
                     settings, stage, DRONE, grid, mode.courses(settings.enabledSensors(), drone), cells -> {});
             fields.add(mode.with(field, drone.settings()));
@@ -218,12 +230,46 @@ class FlownWeakSpotsTest {
         assertThat(flown.route().profile().medianHeight()).isLessThan(20.0);
     }
 
-    /** The radar rejects radial speeds below 3 m/s: whoever circles it is not detected. */
+    /** The radar rejects radial speeds below 3 m/s: whoever circles it at full speed is not detected. */
     @Test
     void aRadarThatMissesCrossingFlightIsCircled() throws IOException {
-        Flown flown = fly(world("hut.obj", WALL, "building"), RADAR.formatted("[0, -100, 4]", 3), "", 0.0, EAST);
+        Flown flown = fly(
+                world("hut.obj", WALL, "building"),
+                RADAR.formatted("[0, -100, 4]", 3),
+                "",
+                0.0,
+                EAST,
+                List.of(FlightMode.Kind.POWERED));
 
         assertUsed(flown, 0.0, 0.3, 0.7);
+        assertThat(flown.route().causes().get(Cause.TOO_SLOW)).isGreaterThan(5.0);
+    }
+
+    /** Whoever comes slowly is not detected by it, either, not even on the way to the zone in which it stands. */
+    @Test
+    void itIsApproachedSlowly() throws IOException {
+        String radar = RADAR.formatted("[0, 0, 4]", 3);
+        Flown slow = fly(world("hut.obj", WALL, "building"), radar, "", 0.0, EAST);
+        Flown fast = fly(world("hut.obj", WALL, "building"), radar, "", 0.0, EAST, List.of(FlightMode.Kind.POWERED));
+
+        assertUsed(slow, 0.0, 1e-3, 0.99);
+        assertThat(fast.detection(0.0)).isGreaterThan(0.9);
+        assertThat(slow.route().route().path().modes()).contains(1);
+        assertThat(slow.route().causes().get(Cause.TOO_SLOW)).isGreaterThan(30.0);
+    }
+
+    /** A drone that needs its speed to stay in the air has no such choice. */
+    @Test
+    void wingsCannotFlySlowly() throws IOException {
+        Flown flown = fly(
+                world("hut.obj", WALL, "building"),
+                RADAR.formatted("[0, 0, 4]", 3),
+                "performance: {hover: false, turnRate: 1}",
+                0.0,
+                EAST);
+
+        assertThat(flown.route().route().path().modes()).containsOnly(0);
+        assertThat(flown.detection(0.0)).isGreaterThan(0.9);
     }
 
     /** A microphone does not hear a drone whose motors are off. */

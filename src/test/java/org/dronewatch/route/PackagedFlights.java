@@ -71,7 +71,7 @@ final class PackagedFlights {
         Position middle = InboundTarget.of(settings, stage.protection());
         FieldGrid grid = new FieldGrid(middle.x(), middle.y(), site.side(), site.cell(), HEIGHTS);
         Drone flown = DetectionField.droneOf(stage, drone);
-        this.fields = FlightMode.of(flown.settings()).stream()
+        this.fields = FlightMode.of(flown.settings(), settings.enabledSensors().values()).stream()
                 .map(mode -> mode.with(
                         FieldAssessment.of(
                                 settings,

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -11,7 +12,8 @@ import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * How a drone flies through a cell: level, at its cruise speed, nose first; or it hovers, or glides down.
+ * How a drone flies through a cell: level and nose first, at its cruise speed or another one; or it hovers, or glides
+ * down.
  *
  * @param kind what determines the heading
  * @param angle added to the heading, or for {@link Kind#COMPASS} and {@link Kind#HOVER} the heading itself, clockwise,
@@ -19,9 +21,15 @@ import org.dronewatch.sensor.SensorSettings;
  * @param reference the point from or to which the heading is measured, m; it has no effect on a fixed heading
  * @param sensor the sensor whose line of sight is crossed; empty for other kinds
  * @param glide how it glides; empty under power
+ * @param speed its speed, m/s; empty for the cruise speed, while it hovers or glides
  */
 public record Course(
-        Kind kind, double angle, Position reference, Optional<String> sensor, Optional<GlideDescent> glide) {
+        Kind kind,
+        double angle,
+        Position reference,
+        Optional<String> sensor,
+        Optional<GlideDescent> glide,
+        OptionalDouble speed) {
     private static final int COMPASS_POINTS = 8;
     private static final Position NOWHERE = new Position(0, 0, 0);
 
@@ -61,9 +69,28 @@ public record Course(
         return courses;
     }
 
-    /** A course under power. */
+    /** A course under power at cruise speed. */
     public Course(Kind kind, double angle, Position reference, Optional<String> sensor) {
-        this(kind, angle, reference, sensor, Optional.empty());
+        this(kind, angle, reference, sensor, Optional.empty(), OptionalDouble.empty());
+    }
+
+    /**
+     * The same courses, without hovering, at another speed.
+     *
+     * @param sensors by name
+     * @param speed above 0, m/s
+     */
+    public static List<Course> at(double speed, Map<String, SensorSettings<?>> sensors, Drone drone) {
+        return all(sensors, drone).stream()
+                .filter(course -> course.kind() != Kind.HOVER)
+                .map(course -> new Course(
+                        course.kind(),
+                        course.angle(),
+                        course.reference(),
+                        course.sensor(),
+                        Optional.empty(),
+                        OptionalDouble.of(speed)))
+                .toList();
     }
 
     /**
@@ -78,13 +105,18 @@ public record Course(
         return all(sensors, drone).stream()
                 .filter(course -> course.kind() != Kind.HOVER)
                 .map(course -> new Course(
-                        course.kind(), course.angle(), course.reference(), course.sensor(), Optional.of(glide)))
+                        course.kind(),
+                        course.angle(),
+                        course.reference(),
+                        course.sensor(),
+                        Optional.of(glide),
+                        OptionalDouble.empty()))
                 .toList();
     }
 
     /** The same course with another point from or to which its heading is measured, m. */
     public Course about(Position other) {
-        return new Course(kind, angle, other, sensor, glide);
+        return new Course(kind, angle, other, sensor, glide, speed);
     }
 
     /** The course towards a point, m. */
@@ -135,8 +167,8 @@ public record Course(
         if (glide.isPresent()) {
             return glide.get().at(at, heading);
         }
-        double speed = kind == Kind.HOVER ? 0.0 : cruise;
-        Position velocity = new Position(speed * StrictMath.sin(heading), speed * StrictMath.cos(heading), 0.0);
+        double fast = kind == Kind.HOVER ? 0.0 : speed.orElse(cruise);
+        Position velocity = new Position(fast * StrictMath.sin(heading), fast * StrictMath.cos(heading), 0.0);
         return new FlightState(at, velocity, heading);
     }
 }

@@ -1,6 +1,7 @@
 package org.dronewatch.app.option;
 
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -13,6 +14,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FlightMode;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 import picocli.CommandLine.Option;
@@ -21,6 +23,8 @@ import picocli.CommandLine.Option;
 public final class RouteOptions {
     private static final String LAUNCH = "--launch";
     private static final String MODES = "--modes";
+    private static final String MODE_WORDS =
+            "powered, slow or glide, or several of them in this order, such as powered,glide";
     private static final String RESPONSE = "--response";
     private static final String STOPPED = "--stopped";
 
@@ -75,9 +79,10 @@ public final class RouteOptions {
 
     @Option(
             names = MODES,
-            paramLabel = "powered,glide",
-            description = "Modes in which the drone may fly: powered; glide, with its motors off; or powered,glide, so"
-                    + " that it may stop its motors once; by default, all in which it can fly.")
+            paramLabel = "powered,slow,glide",
+            description = "Modes in which the drone may fly, one or several in this order: powered, at cruise speed;"
+                    + " slow, below the least radial speed of a radar; glide, with its motors off, once at the end;"
+                    + " by default, all in which it can fly and that matter for a sensor.")
     private String modes;
 
     /** Checks what can be checked before anything is loaded, and passes on the response. */
@@ -124,26 +129,38 @@ public final class RouteOptions {
         return Optional.ofNullable(stopped);
     }
 
-    /** The modes in which a drone may fly, in the order in which it may change. */
-    public List<FlightMode> modes(DroneSettings drone) {
-        List<FlightMode> can = FlightMode.of(drone);
-        List<FlightMode> asked = words().orElse(can);
-        if (!can.containsAll(asked)) {
-            throw new InputException(MODES + " " + modes + ": the drone cannot glide; performance.glideRatio is 0");
+    /** The modes in which a drone may fly, in the order of their kinds. */
+    public List<FlightMode> modes(DroneSettings drone, Collection<SensorSettings<?>> sensors) {
+        List<FlightMode> can = FlightMode.of(drone, sensors);
+        List<FlightMode.Kind> asked =
+                words().orElse(can.stream().map(FlightMode::kind).toList());
+        for (FlightMode.Kind kind : asked) {
+            if (can.stream().noneMatch(mode -> mode.kind() == kind)) {
+                throw new InputException(GivenOption.words(MODES, modes) + ": " + reason(kind, drone));
+            }
         }
-        return asked;
+        return can.stream().filter(mode -> asked.contains(mode.kind())).toList();
     }
 
-    private Optional<List<FlightMode>> words() {
+    /** Why a drone cannot fly in a mode. */
+    private static String reason(FlightMode.Kind kind, DroneSettings drone) {
+        if (kind == FlightMode.Kind.GLIDE) {
+            return "the drone cannot glide; performance.glideRatio is 0";
+        }
+        return drone.flightLimits().hover()
+                ? "no sensor of the scene rejects low radial speeds"
+                : "the drone cannot fly slowly; performance.hover is false";
+    }
+
+    private Optional<List<FlightMode.Kind>> words() {
         if (modes == null) {
             return Optional.empty();
         }
-        List<FlightMode> asked = Arrays.stream(modes.split(",", -1))
-                .map(word ->
-                        FieldOptions.word(MODES, word.strip(), FlightMode.values(), "powered, glide or powered,glide"))
+        List<FlightMode.Kind> asked = Arrays.stream(modes.split(",", -1))
+                .map(word -> FieldOptions.word(MODES, word.strip(), FlightMode.Kind.values(), MODE_WORDS))
                 .toList();
         if (!asked.equals(asked.stream().distinct().sorted().toList())) {
-            throw new InputException(GivenOption.words(MODES, modes) + ": must be powered, glide or powered,glide");
+            throw new InputException(GivenOption.words(MODES, modes) + ": must be " + MODE_WORDS);
         }
         return Optional.of(asked);
     }

@@ -67,7 +67,11 @@ final class RoutePlaceFinder implements PlaceFinder {
                     task.interruption(),
                     task.shown());
             RouteResults results = finder.find(
-                    FlightMode.of(settings.individualDrones().get(task.plan().drone())), Optional.empty(), 0);
+                    FlightMode.of(
+                            settings.individualDrones().get(task.plan().drone()),
+                            settings.enabledSensors().values()),
+                    Optional.empty(),
+                    0);
             return Optional.of(new FlownLayout(inputs, results));
         } catch (CancellationException e) {
             return Optional.empty();

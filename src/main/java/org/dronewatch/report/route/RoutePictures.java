@@ -11,6 +11,7 @@ import org.dronewatch.report.sheet.ProtectedOutlines;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.run.Stage;
 
 /** The plan of a site with its weakest routes, coloured by how exposed the drone is on them. */
@@ -39,6 +40,7 @@ public final class RoutePictures {
             sheet.outline(zone, ZONE, 0);
         }
         survey.routes().forEach(route -> draw(sheet, route));
+        survey.routes().forEach(route -> slow(sheet, route, survey));
         survey.routes().forEach(route -> motorsOff(route, survey).ifPresent(sheet::square));
         sheet.frame();
         survey.routes().forEach(route -> sheet.label(start(route), abbreviation(route)));
@@ -66,10 +68,17 @@ public final class RoutePictures {
         return piece.stream().map(RoutePoint::position).toList();
     }
 
+    /** Dashes where it flies slowly. */
+    private static void slow(MapSheet sheet, SectorRoute route, RouteSurvey survey) {
+        RoutePieces.of(route).stream()
+                .filter(piece -> ModeWords.isIn(survey, RouteMode::isSlow, piece.get(0)))
+                .forEach(piece -> sheet.dashes(positions(piece)));
+    }
+
     /** Where it stops its motors; empty if it does not. */
     private static Optional<Position> motorsOff(SectorRoute route, RouteSurvey survey) {
         return route.searched().points().stream()
-                .filter(point -> survey.modes().get(point.mode()).isGlide())
+                .filter(point -> ModeWords.isIn(survey, RouteMode::isGlide, point))
                 .map(RoutePoint::position)
                 .findFirst();
     }
@@ -99,7 +108,10 @@ public final class RoutePictures {
         for (RouteColours style : RouteColours.values()) {
             sheet.sample(style.colour(), style.width(), style.words());
         }
-        if (survey.routes().stream().anyMatch(route -> motorsOff(route, survey).isPresent())) {
+        if (ModeWords.areSlow(survey)) {
+            sheet.dashSample("slowed to " + ModeWords.slowSpeeds(survey));
+        }
+        if (ModeWords.areGlides(survey)) {
             sheet.squareSample("motors off from here");
         }
         sheet.space();

@@ -88,7 +88,12 @@ final class RouteReport {
                                 ? ""
                                 : "; 'alert in time' is the probability that the scene's rule raises an alert early enough,"
                                         + " where the times of the flight and of the response vary by 30 %")
-                        + (RouteWords.mayGlide(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
+                        + (ModeWords.areSlow(survey)
+                                ? "; 'slow' is for how long the drone flies at "
+                                        + ModeWords.slowSpeeds(survey)
+                                        + ", so slowly that a radar rejects its echo"
+                                : "")
+                        + (ModeWords.areGlides(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
                         + ". 'Counted exposure' is that "
                         + (survey.response() > 0.0 ? "of the part of the route on which a detection is in time, " : "")
                         + "in the cells of the search; no route there that stays " + inputs.heightsInWords()
@@ -99,7 +104,10 @@ final class RouteReport {
     private String table() {
         boolean isRequired = survey.response() > 0.0;
         List<String> head = new ArrayList<>(List.of("from", "height", "flight", "detected", "search", "time left"));
-        if (RouteWords.mayGlide(survey)) {
+        if (ModeWords.areSlow(survey)) {
+            head.add("slow");
+        }
+        if (ModeWords.areGlides(survey)) {
             head.add("motors off");
         }
         if (isRequired) {
@@ -134,8 +142,11 @@ final class RouteReport {
                 RouteNumbers.percent(route.detection()),
                 RouteNumbers.percent(route.searched().detection()),
                 RouteNumbers.seconds(route.left())));
-        if (RouteWords.mayGlide(survey)) {
-            row.add(RouteNumbers.seconds(RouteWords.gliding(route, survey)));
+        if (ModeWords.areSlow(survey)) {
+            row.add(RouteNumbers.seconds(ModeWords.slowed(route, survey)));
+        }
+        if (ModeWords.areGlides(survey)) {
+            row.add(RouteNumbers.seconds(ModeWords.gliding(route, survey)));
         }
         if (survey.response() > 0.0) {
             row.add(RouteNumbers.percent(route.inTime(survey.response())));
@@ -213,7 +224,7 @@ final class RouteReport {
         items.add("Routes begin "
                 + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");
         items.add("Only the drone '" + inputs.drone() + "' flies, within its limits on climb, descent and turns"
-                + (RouteWords.mayGlide(survey) ? ", and may stop its motors once to glide on" : "")
+                + ModeWords.abilities(survey)
                 + "; sensors on positioners "
                 + (inputs.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."));
         inputs.stopped()

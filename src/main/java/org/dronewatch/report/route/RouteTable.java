@@ -18,7 +18,7 @@ public final class RouteTable {
     private static final String PROOF = "%-11s  %16s  %22s  %10s  %6s";
     private static final String CUED = "  %12s";
     private static final String IN_TIME = "  %10s  %13s";
-    private static final String GLIDE = "  %10s";
+    private static final String MODE = "  %10s";
     private static final String ALERT = "  %13s";
     private static final String STOPPED = "  %8s";
 
@@ -29,7 +29,6 @@ public final class RouteTable {
         RouteSurvey survey = results.survey();
         List<String> lines = new ArrayList<>();
         boolean isRequired = survey.response() > 0.0;
-        boolean mayGlide = RouteWords.mayGlide(survey);
         lines.add("weakest routes of drone '" + inputs.drone() + "' to " + inputs.targetInWords()
                 + ", by starting direction"
                 + (isRequired
@@ -37,7 +36,8 @@ public final class RouteTable {
                                 + " s are left for the response:"
                         : ":"));
         lines.add(text(ROW, "from", "flight", "counted exposure", "lower bound", "search", "detected", "time left")
-                + (mayGlide ? text(GLIDE, "motors off") : "")
+                + (ModeWords.areSlow(survey) ? text(MODE, "slow") : "")
+                + (ModeWords.areGlides(survey) ? text(MODE, "motors off") : "")
                 + (isRequired ? text(IN_TIME, "in time", "response") : "")
                 + (results.timely().isEmpty() ? "" : text(ALERT, "alert in time"))
                 + (inputs.stopped().isEmpty() ? "" : text(STOPPED, "stopped"))
@@ -82,8 +82,10 @@ public final class RouteTable {
                 RouteNumbers.percent(route.searched().detection()),
                 RouteNumbers.percent(route.detection()),
                 RouteNumbers.seconds(route.left()));
+        String slow =
+                ModeWords.areSlow(survey) ? text(MODE, RouteNumbers.seconds(ModeWords.slowed(route, survey))) : "";
         String glide =
-                RouteWords.mayGlide(survey) ? text(GLIDE, RouteNumbers.seconds(RouteWords.gliding(route, survey))) : "";
+                ModeWords.areGlides(survey) ? text(MODE, RouteNumbers.seconds(ModeWords.gliding(route, survey))) : "";
         String timely = response > 0.0
                 ? text(
                         IN_TIME,
@@ -99,6 +101,7 @@ public final class RouteTable {
                         STOPPED,
                         RouteNumbers.orDash(results.effectiveness(route, inputs).orElse(null)));
         return line
+                + slow
                 + glide
                 + timely
                 + alert

@@ -4,14 +4,12 @@ import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.Comparator;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.FlownRoute;
-import org.dronewatch.route.search.RouteMode;
 
 /** Routes in words, for decision-makers. */
 final class RouteWords {
@@ -37,25 +35,9 @@ final class RouteWords {
     /** {@code from the north-west, 12 m above the ground, hidden by terrain most of the time}. */
     private static String from(SectorRoute route, RouteSurvey survey) {
         String height = number(Math.rint(route.profile().medianHeight())) + " m above the ground";
-        OptionalDouble glide = gliding(route, survey);
         return "from the " + sector(route) + ", " + height
-                + (glide.isPresent() ? ", with its motors off for the last " + RouteNumbers.seconds(glide) : "")
+                + ModeWords.clause(route, survey)
                 + reason(route).map(reason -> ", " + reason).orElse("");
-    }
-
-    /** Whether the drone may stop its motors. */
-    static boolean mayGlide(RouteSurvey survey) {
-        return survey.modes().stream().anyMatch(RouteMode::isGlide);
-    }
-
-    /** The time for which the drone flies with its motors off at the end, s; empty if they run all the time. */
-    static OptionalDouble gliding(SectorRoute route, RouteSurvey survey) {
-        double end = route.searched().end().time();
-        return route.searched().points().stream()
-                .filter(point -> survey.modes().get(point.mode()).isGlide())
-                .mapToDouble(point -> end - point.time())
-                .filter(time -> time > 0.0)
-                .findFirst();
     }
 
     /** What keeps sensors from detecting it, {@code hidden by terrain most of the time}; empty if nothing does. */

@@ -26,6 +26,8 @@ public final class MapSheet {
     /** Width and height of the map itself, pixels. */
     public static final int MAP = 1000;
 
+    private static final BasicStroke DASHES =
+            new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, new float[] {3f, 6f}, 0f);
     private static final int SIDE = 400;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
@@ -127,6 +129,15 @@ public final class MapSheet {
      * @param width pixels
      */
     public void draw(List<Position> points, Color colour, float width) {
+        draw(points, colour, new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    }
+
+    /** Draws dashes over an open line on the map. */
+    public void dashes(List<Position> points) {
+        draw(points, Color.BLACK, DASHES);
+    }
+
+    private void draw(List<Position> points, Color colour, BasicStroke stroke) {
         Path2D path = new Path2D.Double();
         for (int i = 0; i < points.size(); i++) {
             if (i == 0) {
@@ -137,7 +148,7 @@ public final class MapSheet {
         }
         g.setClip(0, 0, MAP, MAP);
         g.setColor(colour);
-        g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setStroke(stroke);
         g.draw(path);
         g.setClip(null);
     }
@@ -173,6 +184,15 @@ public final class MapSheet {
     public void squareSample(String text) {
         square(MAP + MARGIN + SWATCH_WIDTH, line - 5);
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
+    }
+
+    /** Writes a legend entry, preceded by dashes. */
+    public void dashSample(String text) {
+        int left = MAP + MARGIN;
+        g.setColor(Color.BLACK);
+        g.setStroke(DASHES);
+        g.drawLine(left, line - 5, left + 2 * SWATCH_WIDTH, line - 5);
+        write(text, left + 2 * SWATCH_WIDTH + 12);
     }
 
     /** Writes a legend entry, preceded by a sample of a line with a black edge. */

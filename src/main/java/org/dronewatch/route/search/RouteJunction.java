@@ -15,11 +15,13 @@ final class RouteJunction {
     /** The longest leg that joins two routes, in distances between nodes. */
     private static final double LONGEST = 10.0;
 
+    private final RouteProblem problem;
     private final RouteExposure exposure;
     private final LegLimits limits;
     private final double longest;
 
     RouteJunction(RouteProblem problem) {
+        this.problem = problem;
         this.exposure = new RouteExposure(problem);
         this.limits = new LegLimits(problem);
         this.longest = LONGEST * problem.grid().spacing();
@@ -82,11 +84,12 @@ final class RouteJunction {
         return before;
     }
 
-    /** Whether the corners are near each other, and the drone flies in the same mode there. */
+    /** Whether the corners are near each other, and the drone flies in the same mode there or can change it. */
     private boolean isNear(RoutePath own, int from, RoutePath other, int to) {
         int mode = own.modes().isEmpty() ? 0 : own.modes().get(Math.max(0, from - 1));
         double length = own.points().get(from).distance(other.points().get(to));
-        return other.modes().get(to) == mode && length > 0.0 && length <= longest;
+        int onwards = other.modes().get(to);
+        return (onwards == mode || problem.isExchangeable(mode, onwards)) && length > 0.0 && length <= longest;
     }
 
     private double leg(RoutePath own, RoutePath other, Junction junction) {

@@ -15,6 +15,9 @@ import org.dronewatch.route.exposure.LegMotion;
  * @param slowest the least speed along the path, 0 to the speed, m/s; 0 for a drone that can hover
  */
 public record RouteMode(String name, double speed, double climb, double sink, double steepest, double slowest) {
+    /** The name of flight under power below the cruise speed. */
+    private static final String SLOW = "slow";
+
     /** Slopes count as equal within this, so that the best glide between two nodes is not lost to rounding. */
     private static final double ROUNDING = 1e-9;
 
@@ -56,6 +59,11 @@ public record RouteMode(String name, double speed, double climb, double sink, do
                 limits.hover() ? 0.0 : Math.min(cruise, limits.leastSpeed()));
     }
 
+    /** Flight under power at a speed below the cruise speed, m/s, by a drone that can hover. */
+    public static RouteMode slow(FlightLimits limits, double speed) {
+        return new RouteMode(SLOW, speed, limits.climb(), limits.sink(), Double.POSITIVE_INFINITY);
+    }
+
     /**
      * A glide with the motors off, at the best glide ratio or steeper.
      *
@@ -84,6 +92,11 @@ public record RouteMode(String name, double speed, double climb, double sink, do
     LegMotion vertical(boolean isUp) {
         double rise = isUp ? 1.0 : -1.0;
         return new LegMotion(0.0, 0.0, 0.0, rise * greatestSpeed(0.0, rise));
+    }
+
+    /** Whether the drone flies more slowly than it could, so that it is not seen. */
+    public boolean isSlow() {
+        return name.equals(SLOW);
     }
 
     /** Whether the drone can only descend in this mode. */

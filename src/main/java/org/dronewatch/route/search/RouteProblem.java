@@ -9,8 +9,8 @@ import org.dronewatch.route.exposure.ExposureField;
  *
  * @param grid the nodes between which routes lead
  * @param field how exposed the drone is
- * @param modes modes in which the drone may fly, in this order: it may change to the next one, once and at any node,
- *     but not back
+ * @param modes modes in which the drone may fly: it may change between those under power at any node, and once from
+ *     these to a glide, which comes after them, but not back
  * @param turnRadius the smallest radius of a turn, 0 for none, m
  * @param directions directions in plan view in which routes may leave a node
  * @param starts nodes at which a route may begin
@@ -62,6 +62,16 @@ public record RouteProblem(
     /** The number of headings that the search distinguishes: one where any turn can be flown. */
     int headings() {
         return turnRadius > 0.0 ? directions.count() : 1;
+    }
+
+    /** Whether the drone may change from a mode, given by its number, to any other: motors are not started again. */
+    boolean mayChangeFrom(int mode) {
+        return !modes.get(mode).isGlide();
+    }
+
+    /** Whether the drone may change from one mode to the other and back. */
+    boolean isExchangeable(int one, int other) {
+        return mayChangeFrom(one) && mayChangeFrom(other);
     }
 
     /** How its legs turn. */

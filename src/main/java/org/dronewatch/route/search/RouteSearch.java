@@ -107,8 +107,10 @@ public final class RouteSearch {
         int node = state % grid.size();
         int heading = state / grid.size() % headings;
         int mode = state / grid.size() / headings;
-        if (mode > 0) {
-            reach(state - headings * grid.size(), cost[state], state);
+        for (int earlier = 0; earlier < problem.modes().size(); earlier++) {
+            if (earlier != mode && problem.mayChangeFrom(earlier)) {
+                reach(state + (earlier - mode) * headings * grid.size(), cost[state], state);
+            }
         }
         if (headings == 1) {
             for (int direction = 0; direction < problem.directions().count(); direction++) {

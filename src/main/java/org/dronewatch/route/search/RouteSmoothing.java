@@ -8,7 +8,8 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Makes a path over the nodes of a grid less exposed: points are left out where that costs nothing, and moved where it
- * gains something, in ever smaller steps, with more points from round to round. The result can be flown wherever the
+ * gains something, in ever smaller steps, with more points from round to round; each leg under power is flown in the
+ * mode in which it is least exposed. The result can be flown wherever the
  * path could, and is not more exposed. One thread.
  */
 final class RouteSmoothing {
@@ -34,6 +35,7 @@ final class RouteSmoothing {
 
     private static final double[][] IN_PLAN = Arrays.copyOf(IN_SPACE, 4);
 
+    private final RouteProblem problem;
     private final RouteExposure exposure;
     private final LegLimits limits;
     private final double spacing;
@@ -48,6 +50,7 @@ final class RouteSmoothing {
     private RouteSmoothing(RouteProblem problem, RoutePath path, Optional<Position> before, Optional<Position> next) {
         this.before = before;
         this.next = next;
+        this.problem = problem;
         this.exposure = new RouteExposure(problem);
         this.limits = new LegLimits(problem);
         this.spacing = problem.grid().spacing();
@@ -94,6 +97,7 @@ final class RouteSmoothing {
             for (double step = coarse; step > spacing / 64.0; step *= 0.5) {
                 moveAll(step);
             }
+            changeModes();
             pull(0.0);
             if (round + 1 < ROUNDS) {
                 split();
@@ -103,6 +107,20 @@ final class RouteSmoothing {
                 .map(point -> new Position(point[0], point[1], point[2]))
                 .toList();
         return new RoutePath(path, modes);
+    }
+
+    /** Flies every leg under power in the mode in which it is least exposed. */
+    private void changeModes() {
+        for (int i = 0; i < modes.size(); i++) {
+            for (int other = 0; other < problem.modes().size(); other++) {
+                int mode = modes.get(i);
+                if (problem.isExchangeable(mode, other)
+                        && cost(points.get(i), points.get(i + 1), other)
+                                < cost(points.get(i), points.get(i + 1), mode)) {
+                    modes.set(i, other);
+                }
+            }
+        }
     }
 
     private double meanLeg() {
@@ -145,24 +163,28 @@ final class RouteSmoothing {
     }
 
     private boolean leaveOut(int i, double loss) {
-        int mode = modes.get(i);
-        if (modes.get(i - 1) != mode) {
+        int before = modes.get(i - 1);
+        int after = modes.get(i);
+        if (before != after && !problem.isExchangeable(before, after)) {
             return false;
         }
         double[] from = points.get(i - 1);
         double[] at = points.get(i);
         double[] to = points.get(i + 1);
-        double allowed = (1.0 + loss) * (cost(from, at, mode) + cost(at, to, mode));
+        double allowed = (1.0 + loss) * local(i);
+        int mode = cost(from, to, before) <= cost(from, to, after) ? before : after;
         if (cost(from, to, mode) > allowed || !isOpen(from, to)) {
             return false;
         }
         points.remove(i);
         modes.remove(i);
+        modes.set(i - 1, mode);
         if (isTurnable(i - 1) && isTurnable(i)) {
             return true;
         }
         points.add(i, at);
-        modes.add(i, mode);
+        modes.add(i, after);
+        modes.set(i - 1, before);
         return false;
     }
 

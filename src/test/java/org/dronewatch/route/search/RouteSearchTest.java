@@ -18,20 +18,24 @@ import org.junit.jupiter.api.Test;
 class RouteSearchTest {
     private static final RouteMode POWERED = new RouteMode("powered", 2.0, 0.5, 1.0, Double.POSITIVE_INFINITY);
     private static final RouteMode WINGED = new RouteMode("powered", 2.0, 0.5, 1.0, Double.POSITIVE_INFINITY, 1.25);
+    private static final RouteMode SLOW = new RouteMode("slow", 0.75, 0.5, 1.0, Double.POSITIVE_INFINITY);
     private static final RouteMode GLIDE =
             new RouteMode("glide", 1.5, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, -0.25);
+
+    /** The greatest number of modes of a problem. */
+    private static final int MODES = 3;
 
     /** A rate for each node, direction and mode, a multiple of 1/64. */
     private record Table(RouteGrid grid, PlanDirections directions, int[] rates) implements ExposureField {
         static Table random(RouteGrid grid, PlanDirections directions, SplittableRandom random) {
-            int[] rates = new int[2 * directions.count() * grid.size()];
+            int[] rates = new int[MODES * directions.count() * grid.size()];
             Arrays.setAll(rates, i -> random.nextInt(4) == 0 ? 0 : random.nextInt(256));
             return new Table(grid, directions, rates);
         }
 
         /** A rate of 1/s everywhere: exposure is time. */
         static Table even(RouteGrid grid, PlanDirections directions) {
-            int[] rates = new int[2 * directions.count() * grid.size()];
+            int[] rates = new int[MODES * directions.count() * grid.size()];
             Arrays.fill(rates, 64);
             return new Table(grid, directions, rates);
         }
@@ -93,11 +97,26 @@ class RouteSearchTest {
         return new RouteProblem(
                 grid,
                 Table.random(grid, directions, random),
-                random.nextBoolean() ? List.of(powered) : List.of(powered, GLIDE),
+                modes(powered, room == 0.0 && random.nextBoolean(), random.nextBoolean()),
                 room,
                 directions,
                 starts,
                 goals);
+    }
+
+    private static List<RouteMode> modes(RouteMode powered, boolean isSlow, boolean isGliding) {
+        List<RouteMode> modes = new ArrayList<>(List.of(powered));
+        if (isSlow) {
+            modes.add(SLOW);
+        }
+        if (isGliding) {
+            modes.add(GLIDE);
+        }
+        return modes;
+    }
+
+    private static boolean isPowered(RouteProblem problem, int mode) {
+        return problem.modes().get(mode) != GLIDE;
     }
 
     /** A leg between two states. */
@@ -112,11 +131,13 @@ class RouteSearchTest {
             for (int heading = 0; heading < headings; heading++) {
                 for (int node = 0; node < grid.size(); node++) {
                     int state = (mode * headings + heading) * grid.size() + node;
-                    if (mode + 1 < problem.modes().size()) {
-                        legs.add(new Leg(state, state + headings * grid.size(), 0.0));
+                    for (int other = 0;
+                            isPowered(problem, mode) && other < problem.modes().size();
+                            other++) {
+                        legs.add(new Leg(state, state + (other - mode) * headings * grid.size(), 0.0));
                     }
-                    if (headings == 1 && mode == 0) {
-                        addVerticalLegs(legs, problem, node);
+                    if (headings == 1 && isPowered(problem, mode)) {
+                        addVerticalLegs(legs, problem, mode, node);
                     }
                     for (int direction = 0; direction < problem.directions().count(); direction++) {
                         if (headings == 1 || direction == heading) {
@@ -130,15 +151,17 @@ class RouteSearchTest {
     }
 
     /** Straight up and down, under power, with the mean of the rates at both nodes; the heading is north. */
-    private static void addVerticalLegs(List<Leg> legs, RouteProblem problem, int node) {
+    private static void addVerticalLegs(List<Leg> legs, RouteProblem problem, int mode, int node) {
         RouteGrid grid = problem.grid();
         int plane = grid.columns() * grid.rows();
         for (int to : new int[] {node - plane, node + plane}) {
             if (to >= 0 && to < grid.size() && grid.isOpen(node) && grid.isOpen(to)) {
                 double rise = grid.z(to) - grid.z(node);
                 Table field = (Table) problem.field();
-                double rate = 0.5 * (field.at(node, 0, 0) + field.at(to, 0, 0));
-                legs.add(new Leg(node, to, rate * (rise > 0.0 ? rise / 0.5 : -rise)));
+                double rate = 0.5 * (field.at(node, 0, mode) + field.at(to, 0, mode));
+                double fastest = problem.modes().get(mode).speed();
+                double time = Math.abs(rise) / Math.min(fastest, rise > 0.0 ? 0.5 : 1.0);
+                legs.add(new Leg(mode * grid.size() + node, mode * grid.size() + to, rate * time));
             }
         }
     }
@@ -155,14 +178,14 @@ class RouteSearchTest {
                 continue;
             }
             int repeats = repeats(problem, direction);
-            if (mode == 0 && climb != 0) {
+            if (isPowered(problem, mode) && climb != 0) {
                 // At the least speed, the climb of 0.5 m/s and the descent of 1 m/s take this long a leg.
                 double rise = Math.abs(grid.height(level + climb) - grid.height(level));
-                double length = problem.modes().get(0).slowest() * rise / (climb > 0 ? 0.5 : 1.0);
+                double length = problem.modes().get(mode).slowest() * rise / (climb > 0 ? 0.5 : 1.0);
                 double least = Math.sqrt(Math.max(0.0, length * length - rise * rise));
                 repeats = Math.max(repeats, (int) Math.ceil(least / unit - 1e-9));
             }
-            if (mode == 1 && climb == -1) {
+            if (!isPowered(problem, mode) && climb == -1) {
                 double drop = grid.height(level) - grid.height(level - 1);
                 repeats = Math.max(repeats, (int) (drop * 4.0 / unit));
             }
@@ -215,13 +238,13 @@ class RouteSearchTest {
         int pieces = Math.max(Math.abs(east), Math.abs(north));
         double rise = grid.z(to) - grid.z(from);
         double horizontal = Math.hypot(east, north);
-        if (mode == 1 && rise > -0.25 * horizontal + 1e-9 * (horizontal + Math.abs(rise))) {
+        if (!isPowered(problem, mode) && rise > -0.25 * horizontal + 1e-9 * (horizontal + Math.abs(rise))) {
             return Double.POSITIVE_INFINITY;
         }
-        double time = Math.hypot(horizontal, rise) / (mode == 0 ? 2.0 : 1.5);
-        if (mode == 0) {
+        double time = Math.hypot(horizontal, rise) / problem.modes().get(mode).speed();
+        if (isPowered(problem, mode)) {
             time = Math.max(time, rise > 0.0 ? rise / 0.5 : -rise);
-            if (Math.hypot(horizontal, rise) / time < problem.modes().get(0).slowest() * (1.0 - 1e-9)) {
+            if (Math.hypot(horizontal, rise) / time < problem.modes().get(mode).slowest() * (1.0 - 1e-9)) {
                 return Double.POSITIVE_INFINITY;
             }
         }
