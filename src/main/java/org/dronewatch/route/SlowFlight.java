@@ -50,7 +50,7 @@ final class SlowFlight {
                 .toList();
     }
 
-    /** The speed for one sensor; empty if it sees slow drones, or does not see the drone at any speed up to this one. */
+    /** The speed for one sensor; empty if it sees slow drones, or rejects all speeds up to the cruise speed. */
     private static OptionalDouble below(CrossingBlind blind, double cruise) {
         int part = 1;
         while (part <= PARTS && blind.response(cruise * part / PARTS) <= PASSES) {

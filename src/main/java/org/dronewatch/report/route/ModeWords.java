@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dronewatch.report.html.ReadableNumbers;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
@@ -17,7 +17,10 @@ final class ModeWords {
 
     private ModeWords() {}
 
-    /** {@code , slowed for 40 s to 2.97 m/s, which radars reject, with its motors off for the last 20 s}; empty if neither is so. */
+    /**
+     * {@code , slowed for 40 s to 2.97 m/s, which radars reject, with its motors off for the last 20 s}; empty if it
+     * does neither.
+     */
     static String clause(SectorRoute route, RouteSurvey survey) {
         OptionalDouble slow = slowed(route, survey);
         OptionalDouble glide = gliding(route, survey);
@@ -62,7 +65,7 @@ final class ModeWords {
     }
 
     private static String speeds(Stream<RouteMode> slow) {
-        String words = slow.map(mode -> ReadableNumbers.number(Math.rint(HUNDRED * mode.speed()) / HUNDRED))
+        String words = slow.map(mode -> Numbers.text(Math.rint(HUNDRED * mode.speed()) / HUNDRED))
                 .collect(Collectors.joining(" or "));
         return words.isEmpty() ? "" : words + " m/s";
     }
