@@ -109,7 +109,7 @@ public final class RoutePictures {
             sheet.sample(style.colour(), style.width(), style.words());
         }
         if (ModeWords.areSlow(survey)) {
-            sheet.dashSample("slowed to " + ModeWords.slowSpeeds(survey));
+            sheet.sample(Color.BLACK, 1, "slowed to " + ModeWords.slowSpeeds(survey));
         }
         if (ModeWords.areGlides(survey)) {
             sheet.squareSample("motors off from here");

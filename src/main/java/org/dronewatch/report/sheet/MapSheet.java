@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.awt.Shape;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -26,8 +27,6 @@ public final class MapSheet {
     /** Width and height of the map itself, pixels. */
     public static final int MAP = 1000;
 
-    private static final BasicStroke DASHES =
-            new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, new float[] {3f, 6f}, 0f);
     private static final int SIDE = 400;
     private static final int MARGIN = 24;
     private static final int LINE = 26;
@@ -116,11 +115,7 @@ public final class MapSheet {
     public void outline(List<Position> corners, Color colour, int style) {
         Polygon line = new Polygon();
         corners.forEach(corner -> line.addPoint(column(corner), row(corner)));
-        g.setClip(0, 0, MAP, MAP);
-        g.setColor(colour);
-        g.setStroke(stroke(style));
-        g.draw(line);
-        g.setClip(null);
+        draw(line, colour, stroke(style));
     }
 
     /**
@@ -132,24 +127,23 @@ public final class MapSheet {
         draw(points, colour, new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     }
 
-    /** Draws dashes over an open line on the map. */
+    /** Draws dashes over an open line on the map, {@linkplain #sample(Color, int, String) sampled} as style 1. */
     public void dashes(List<Position> points) {
-        draw(points, Color.BLACK, DASHES);
+        draw(points, Color.BLACK, stroke(1));
     }
 
     private void draw(List<Position> points, Color colour, BasicStroke stroke) {
         Path2D path = new Path2D.Double();
-        for (int i = 0; i < points.size(); i++) {
-            if (i == 0) {
-                path.moveTo(column(points.get(i)), row(points.get(i)));
-            } else {
-                path.lineTo(column(points.get(i)), row(points.get(i)));
-            }
-        }
+        path.moveTo(column(points.get(0)), row(points.get(0)));
+        points.forEach(point -> path.lineTo(column(point), row(point)));
+        draw(path, colour, stroke);
+    }
+
+    private void draw(Shape line, Color colour, BasicStroke stroke) {
         g.setClip(0, 0, MAP, MAP);
         g.setColor(colour);
         g.setStroke(stroke);
-        g.draw(path);
+        g.draw(line);
         g.setClip(null);
     }
 
@@ -184,15 +178,6 @@ public final class MapSheet {
     public void squareSample(String text) {
         square(MAP + MARGIN + SWATCH_WIDTH, line - 5);
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
-    }
-
-    /** Writes a legend entry, preceded by dashes. */
-    public void dashSample(String text) {
-        int left = MAP + MARGIN;
-        g.setColor(Color.BLACK);
-        g.setStroke(DASHES);
-        g.drawLine(left, line - 5, left + 2 * SWATCH_WIDTH, line - 5);
-        write(text, left + 2 * SWATCH_WIDTH + 12);
     }
 
     /** Writes a legend entry, preceded by a sample of a line with a black edge. */
