@@ -50,14 +50,12 @@ public final class MapSheet {
      * What fills a cell or a swatch of the legend. The colour depends on the position of the pixel, so a fill may be a
      * pattern.
      */
-    @FunctionalInterface
     public interface Fill {
         /** The colour of a pixel over that of the ground. */
         Color at(int u, int v, Color ground);
     }
 
     /** The fill of each cell. */
-    @FunctionalInterface
     public interface Cells {
         /** By column from the west and row from the north. */
         Fill at(int column, int row);
@@ -182,30 +180,28 @@ public final class MapSheet {
 
     /** Writes a legend entry, preceded by a sample of a line with a black edge. */
     public void sample(Color colour, float width, String text) {
-        int left = MAP + MARGIN;
-        g.setColor(Color.BLACK);
-        g.setStroke(new BasicStroke(width + 2f));
-        g.drawLine(left, line - 5, left + 2 * SWATCH_WIDTH, line - 5);
-        g.setColor(colour);
-        g.setStroke(new BasicStroke(width));
-        g.drawLine(left + 1, line - 5, left + 2 * SWATCH_WIDTH - 1, line - 5);
-        write(text, left + 2 * SWATCH_WIDTH + 12);
+        sample(Color.BLACK, new BasicStroke(width + 2f), 0);
+        sample(colour, new BasicStroke(width), 1);
+        write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 
     /** Writes a legend entry, preceded by a sample of a line. */
     public void sample(Color colour, int style, String text) {
-        int left = MAP + MARGIN;
+        sample(colour, stroke(style), 0);
+        write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
+    }
+
+    private void sample(Color colour, BasicStroke stroke, int inset) {
         g.setColor(colour);
-        g.setStroke(stroke(style));
-        g.drawLine(left, line - 5, left + 2 * SWATCH_WIDTH, line - 5);
-        write(text, left + 2 * SWATCH_WIDTH + 12);
+        g.setStroke(stroke);
+        g.drawLine(MAP + MARGIN + inset, line - 5, MAP + MARGIN + 2 * SWATCH_WIDTH - inset, line - 5);
     }
 
     private static BasicStroke stroke(int style) {
-        float[] dashes = {4f * style, 4f};
         return style == 0
                 ? new BasicStroke(3f)
-                : new BasicStroke(2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, dashes, 0f);
+                : new BasicStroke(
+                        2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, new float[] {4f * style, 4f}, 0f);
     }
 
     private void drawSensor(Position at) {
