@@ -14,6 +14,7 @@ import org.dronewatch.placement.site.CheaperLayouts;
 import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.solver.ExactSolver;
+import org.dronewatch.report.placement.PlaceMeasure;
 import org.dronewatch.run.Stage;
 
 /**
@@ -70,7 +71,8 @@ public record PlaceTask(
 
     /** What lower budgets buy. */
     <L extends PlacedLayout> BudgetFront<L> front(CheaperLayouts<L> cheaper) {
-        return shown.during("layouts for lower budgets", budgets - 1L, progress -> new FrontSearch<>(cheaper)
+        return shown.during("layouts for lower budgets", budgets - 1L, progress -> new FrontSearch<>(
+                        cheaper, PlaceMeasure.of(plan)::text)
                 .found(budgets, limits, progress));
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.DoubleFunction;
 import java.util.function.IntConsumer;
 import org.dronewatch.placement.SolverLimits;
 
@@ -18,11 +19,22 @@ public final class FrontSearch<L extends PlacedLayout> {
 
     private final CheaperLayouts<L> layouts;
     private final L best;
+    private final DoubleFunction<String> text;
 
-    /** A search. */
+    /** A search that tells all values apart. */
     public FrontSearch(CheaperLayouts<L> layouts) {
+        this(layouts, Double::toString);
+    }
+
+    /**
+     * A search whose values are printed.
+     *
+     * @param text a value as it is printed: of several layouts whose values are printed alike, only the cheapest is kept
+     */
+    public FrontSearch(CheaperLayouts<L> layouts, DoubleFunction<String> text) {
         this.layouts = layouts;
         this.best = layouts.best();
+        this.text = text;
     }
 
     /**
@@ -63,7 +75,7 @@ public final class FrontSearch<L extends PlacedLayout> {
         return bounded;
     }
 
-    /** Without layouts that are worth no more than a cheaper one, or than buying nothing. */
+    /** Without layouts that are worth no more than a cheaper one, in print, or than buying nothing. */
     private List<FrontPoint<L>> points(List<L> found, List<Double> budgets, Optional<L> nothing, SolverLimits limits) {
         double atLeast = nothing.map(PlacedLayout::value).orElse(0.0);
         List<FrontPoint<L>> points = new ArrayList<>();
@@ -74,7 +86,8 @@ public final class FrontSearch<L extends PlacedLayout> {
             boolean isLast = at == found.size() - 1;
             L layout = found.get(at);
             double least = before.map(PlacedLayout::value).orElse(atLeast);
-            if (layouts.isBetter(layout, least, limits)) {
+            boolean isAlike = before.isPresent() && text.apply(layout.value()).equals(text.apply(least));
+            if (!isAlike && layouts.isBetter(layout, least, limits)) {
                 points.add(point(budgets.get(at), before, layout));
             } else if (before.isEmpty() && isLast) {
                 L free = nothing.map(its -> layouts.bounded(its, layout.result().bound()))

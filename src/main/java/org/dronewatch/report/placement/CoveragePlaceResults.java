@@ -33,7 +33,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
 
     @Override
     public PlaceMeasure measure() {
-        return new ShareMeasure(best().plan().settings().conditions().fold());
+        return PlaceMeasure.of(best().plan());
     }
 
     @Override

@@ -1,10 +1,21 @@
 package org.dronewatch.report.placement;
 
 import java.util.OptionalDouble;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.WarningMeasure;
 import org.dronewatch.placement.site.SectorGain;
 
 /** Describes the values of an objective in words. */
 public interface PlaceMeasure {
+    /** The measure of a plan's objective. */
+    static PlaceMeasure of(PlacePlan plan) {
+        return switch (plan.settings().objective()) {
+            case COVERAGE -> new ShareMeasure(plan.settings().conditions().fold());
+            case WARNING_TIME -> new SecondsMeasure(plan.settings().warning() == WarningMeasure.WORST);
+            case WEAKEST_ROUTE -> new DetectionMeasure();
+        };
+    }
+
     /** What the layout is best for, with a leading space: {@code  against the weakest route}; or an empty text. */
     String purpose();
 

@@ -35,7 +35,7 @@ public record RoutePlaceResults(
 
     @Override
     public PlaceMeasure measure() {
-        return new DetectionMeasure();
+        return PlaceMeasure.of(best().plan());
     }
 
     @Override

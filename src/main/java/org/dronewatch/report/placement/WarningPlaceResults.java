@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.dronewatch.placement.plan.WarningMeasure;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LayoutWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
@@ -37,7 +36,7 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
 
     @Override
     public PlaceMeasure measure() {
-        return new SecondsMeasure(best().measure() == WarningMeasure.WORST);
+        return PlaceMeasure.of(best().plan());
     }
 
     @Override
