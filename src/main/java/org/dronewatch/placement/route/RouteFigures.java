@@ -1,7 +1,5 @@
 package org.dronewatch.placement.route;
 
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +10,7 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.site.BuyingOrder;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PresentLayout;
 import org.dronewatch.placement.solver.CutResult;
@@ -66,7 +65,7 @@ final class RouteFigures {
      */
     RoutePlacement withParts(RoutePlacement brief, CutResult cut) {
         try {
-            return brief.with(new RouteParts(alone(cut), without(cut), purchases(cut), present()));
+            return brief.with(new RouteParts(alone(cut), without(cut), purchases(brief, cut.problem()), present()));
         } catch (CancellationException e) {
             return brief.incomplete();
         }
@@ -111,38 +110,14 @@ final class RouteFigures {
                 : Math.min(known, rows.pastCandidates(candidates).get(0).exposure());
     }
 
-    /** Each time the sensor that adds most for its price; where none closes the last gap yet, most over all routes. */
-    private List<PlaceStep> purchases(CutResult cut) {
-        PlacementProblem problem = cut.problem();
-        List<Integer> bought = new ArrayList<>(cut.result().chosen().stream()
-                .filter(number -> plan.candidates().get(number).candidate().fixed())
-                .toList());
-        List<Integer> left = new ArrayList<>(cut.result().chosen());
-        left.removeAll(bought);
-        List<PlaceStep> steps = new ArrayList<>();
-        while (!left.isEmpty()) {
-            Integer next = left.stream()
-                    .max(Comparator.comparingDouble(
-                                    (Integer number) -> perPrice(number, problem.value(with(bought, number))))
-                            .thenComparingDouble(number -> perPrice(number, mean(problem, with(bought, number))))
-                            .thenComparing(Comparator.reverseOrder()))
-                    .orElseThrow();
-            left.remove(next);
-            bought.add(next);
-            steps.add(new PlaceStep(plan.candidates().get(next).name(), problem.cost(bought), value(problem, bought)));
-        }
-        return steps;
-    }
-
-    private static List<Integer> with(List<Integer> bought, Integer number) {
-        List<Integer> more = new ArrayList<>(bought);
-        more.add(number);
-        return more;
-    }
-
-    private double perPrice(int number, double value) {
-        double price = plan.candidates().get(number).candidate().cost();
-        return price > 0.0 ? value / price : value > 0.0 ? Double.MAX_VALUE : 0.0;
+    /** What is missed least over all routes decides where the weakest of them are equally exposed. */
+    private List<PlaceStep> purchases(RoutePlacement brief, PlacementProblem problem) {
+        return new BuyingOrder(
+                        number -> plan.candidates().get(number).candidate().cost(),
+                        some -> Math.min(WeakestRouteSearch.ENOUGH, value(problem, some)),
+                        some -> Math.min(WeakestRouteSearch.ENOUGH, problem.value(some)),
+                        some -> mean(problem, some))
+                .steps(brief, problem, 1.0);
     }
 
     /** The mean over the routes of what counts on each. */

@@ -4,32 +4,44 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.dronewatch.placement.PlacementProblem;
 
-/**
- * The order in which to buy the sensors of a layout: at each step, the one that adds the most for its price. Where
- * several sensors must detect the same, the first of them are worth nothing by themselves, so what each adds says
- * little, and the order is found from its end.
- */
-final class BuyingOrder {
+/** The order in which to buy the sensors of a layout. */
+public final class BuyingOrder {
     private final ToDoubleFunction<Integer> price;
     private final ToDoubleFunction<List<Integer>> value;
-    private final ToDoubleFunction<Integer> otherwise;
+    private final ToDoubleFunction<List<Integer>> most;
+    private final ToDoubleFunction<List<Integer>> otherwise;
 
     /**
      * An order.
      *
      * @param price of a sensor
      * @param value of some of the sensors, with those that are kept
-     * @param otherwise what counts for a sensor, for its price, where several add equally much for theirs
+     * @param otherwise what counts in a tie, for some of the sensors; greater is better
      */
-    BuyingOrder(
+    public BuyingOrder(
             ToDoubleFunction<Integer> price,
             ToDoubleFunction<List<Integer>> value,
-            ToDoubleFunction<Integer> otherwise) {
+            ToDoubleFunction<List<Integer>> otherwise) {
+        this(price, value, value, otherwise);
+    }
+
+    /**
+     * An order by values that take long to compute.
+     *
+     * @param most what a value does not exceed, which takes less time
+     */
+    public BuyingOrder(
+            ToDoubleFunction<Integer> price,
+            ToDoubleFunction<List<Integer>> value,
+            ToDoubleFunction<List<Integer>> most,
+            ToDoubleFunction<List<Integer>> otherwise) {
         this.price = price;
         this.value = value;
+        this.most = most;
         this.otherwise = otherwise;
     }
 
@@ -38,11 +50,10 @@ final class BuyingOrder {
      *
      * @param unit the value of a step is stated in multiples of this
      */
-    List<PlaceStep> steps(PlacedLayout layout, PlacementProblem problem, double unit) {
+    public List<PlaceStep> steps(PlacedLayout layout, PlacementProblem problem, double unit) {
         List<Integer> bought = new ArrayList<>(FrontSearch.kept(layout));
-        List<Integer> chosen = layout.result().chosen();
         List<PlaceStep> steps = new ArrayList<>();
-        for (Integer next : layout.isOrderedBackwards() ? backwards(bought, chosen) : forwards(bought, chosen)) {
+        for (Integer next : order(layout.buyingRule(), bought, layout.result().chosen())) {
             bought.add(next);
             steps.add(new PlaceStep(
                     layout.plan().candidates().get(next).name(),
@@ -53,23 +64,30 @@ final class BuyingOrder {
     }
 
     /**
-     * Adds, at each step, the sensor that adds the most for its price.
+     * The order by a rule.
      *
      * @param kept sensors that are there from the beginning
      * @param chosen the layout; it may list those that are kept
      * @return the others in the order in which to buy them
      */
-    List<Integer> forwards(List<Integer> kept, List<Integer> chosen) {
+    List<Integer> order(BuyingRule rule, List<Integer> kept, List<Integer> chosen) {
+        List<Integer> others = new ArrayList<>(chosen);
+        others.removeAll(kept);
+        return switch (rule) {
+            case MOST_ADDED -> forwards(kept, others);
+            case LEAST_LOST -> backwards(others, left -> leastLost(kept, left));
+            case BEST_LEFT -> backwards(others, left -> bestLeft(kept, left));
+        };
+    }
+
+    private List<Integer> forwards(List<Integer> kept, List<Integer> others) {
         List<Integer> bought = new ArrayList<>(kept);
-        List<Integer> left = new ArrayList<>(chosen);
-        left.removeAll(kept);
+        List<Integer> left = new ArrayList<>(others);
         List<Integer> order = new ArrayList<>();
         while (!left.isEmpty()) {
-            double before = value.applyAsDouble(bought);
             Integer next = left.stream()
-                    .max(Comparator.comparingDouble((Integer one) ->
-                                    gainPerPrice(one, value.applyAsDouble(together(bought, List.of(one))) - before))
-                            .thenComparingDouble(one -> gainPerPrice(one, otherwise.applyAsDouble(one)))
+                    .max(Comparator.comparingDouble((Integer one) -> gainPerPrice(one, value, bought))
+                            .thenComparingDouble(one -> gainPerPrice(one, otherwise, bought))
                             .thenComparing(Comparator.reverseOrder()))
                     .orElseThrow();
             left.remove(next);
@@ -79,40 +97,67 @@ final class BuyingOrder {
         return order;
     }
 
-    private double gainPerPrice(Integer one, double gain) {
+    private double gainPerPrice(Integer one, ToDoubleFunction<List<Integer>> worth, List<Integer> bought) {
+        double gain = worth.applyAsDouble(together(bought, List.of(one))) - worth.applyAsDouble(bought);
         double cost = price.applyAsDouble(one);
         return cost > 0.0 ? gain / cost : gain > 0.0 ? Double.MAX_VALUE : 0.0;
     }
 
-    /**
-     * Leaves out, at each step, the sensor whose loss is least for its price; of equal losses, that of the dearest.
-     *
-     * @param kept sensors that are never left out
-     * @param chosen the layout; it may list those that are kept
-     * @return the others in the order in which to buy them
-     */
-    List<Integer> backwards(List<Integer> kept, List<Integer> chosen) {
-        List<Integer> left = new ArrayList<>(chosen);
-        left.removeAll(kept);
+    /** Leaves out one after the other, and buys them in the opposite order. */
+    private static List<Integer> backwards(List<Integer> others, Function<List<Integer>, Integer> next) {
+        List<Integer> left = new ArrayList<>(others);
         LinkedList<Integer> order = new LinkedList<>();
         while (!left.isEmpty()) {
-            double now = value.applyAsDouble(together(kept, left));
-            Integer last = left.stream()
-                    .min(Comparator.comparingDouble((Integer one) ->
-                                    lossPerPrice(one, now - value.applyAsDouble(without(one, kept, left))))
-                            .thenComparingDouble(one -> -price.applyAsDouble(one))
-                            .thenComparing(Comparator.reverseOrder()))
-                    .orElseThrow();
+            Integer last = next.apply(left);
             left.remove(last);
             order.addFirst(last);
         }
         return order;
     }
 
+    /** Of equal losses, that of the dearest sensor is least. */
+    private Integer leastLost(List<Integer> kept, List<Integer> left) {
+        return left.stream()
+                .min(Comparator.comparingDouble((Integer one) -> lossPerPrice(one, value, kept, left))
+                        .thenComparingDouble(one -> -price.applyAsDouble(one))
+                        .thenComparing(Comparator.reverseOrder()))
+                .orElseThrow();
+    }
+
     /** What costs nothing is left out last. */
-    private double lossPerPrice(Integer one, double loss) {
+    private double lossPerPrice(
+            Integer one, ToDoubleFunction<List<Integer>> worth, List<Integer> kept, List<Integer> left) {
+        double loss = worth.applyAsDouble(together(kept, left)) - worth.applyAsDouble(without(one, kept, left));
         double cost = price.applyAsDouble(one);
         return cost > 0.0 ? loss / cost : Double.MAX_VALUE;
+    }
+
+    /** Computes a value only where it may be the best. */
+    private Integer bestLeft(List<Integer> kept, List<Integer> left) {
+        List<Integer> mostFirst = left.stream()
+                .sorted(Comparator.comparingDouble((Integer one) -> -most.applyAsDouble(without(one, kept, left))))
+                .toList();
+        double best = Double.NEGATIVE_INFINITY;
+        List<Integer> equals = new ArrayList<>();
+        for (Integer one : mostFirst) {
+            List<Integer> rest = without(one, kept, left);
+            if (most.applyAsDouble(rest) < best) {
+                break;
+            }
+            double worth = value.applyAsDouble(rest);
+            if (worth > best) {
+                equals.clear();
+                best = worth;
+            }
+            if (worth == best) {
+                equals.add(one);
+            }
+        }
+        return equals.stream()
+                .min(Comparator.comparingDouble((Integer one) -> lossPerPrice(one, otherwise, kept, left))
+                        .thenComparingDouble(one -> -price.applyAsDouble(one))
+                        .thenComparing(Comparator.reverseOrder()))
+                .orElseThrow();
     }
 
     private static List<Integer> without(Integer one, List<Integer> kept, List<Integer> left) {

@@ -5,6 +5,6 @@ package org.dronewatch.placement.site;
  *
  * @param added its name
  * @param cost cost of all sensors so far
- * @param value fraction of the airspace that they cover
+ * @param value their value, in the unit of the objective
  */
 public record PlaceStep(String added, double cost, double value) {}

@@ -47,17 +47,14 @@ public interface PlacedLayout {
     Map<String, Double> withoutEach();
 
     /**
-     * The best order in which to buy the sensors, after those that are kept: at each step, the one that adds the most
-     * for its price; or the order {@linkplain #isOrderedBackwards found from its end}. Empty if it was not computed.
+     * The best order in which to buy the sensors, after those that are kept, by the {@linkplain #buyingRule rule} of
+     * the objective. Empty if it was not computed.
      */
     List<PlaceStep> purchases();
 
-    /**
-     * Whether the order in which to buy was found by leaving out, at each step, the sensor whose loss is least for its
-     * price: where several sensors must detect the drone, the first of them are worth nothing by themselves.
-     */
-    default boolean isOrderedBackwards() {
-        return plan().settings().conditions().fold() > 1;
+    /** How the order in which to buy is found. */
+    default BuyingRule buyingRule() {
+        return BuyingRule.of(plan().settings());
     }
 
     /** The value of the layout under each condition, by name; empty if only the scene as it is counts. */

@@ -110,7 +110,7 @@ public record SitePlacement(
     @Override
     public List<PlaceStep> purchases() {
         return new BuyingOrder(
-                        number -> plan.candidates().get(number).candidate().cost(), problem::value, number -> 0.0)
+                        number -> plan.candidates().get(number).candidate().cost(), problem::value, some -> 0.0)
                 .steps(this, problem, rows);
     }
 }

@@ -7,10 +7,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.PlacementObjective;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.plan.PlacePlan;
@@ -164,13 +166,20 @@ public record WarningPlacement(
         return remaining;
     }
 
-    /** Where none lengthens the shortest warning, next is the one that gives the most warnings for its price. */
+    /** Where the shortest warning is the same, the sum of all warnings counts. */
     @Override
     public List<PlaceStep> purchases() {
         return new BuyingOrder(
-                        number -> plan.candidates().get(number).candidate().cost(),
-                        this::warning,
-                        number -> problem.table().column(number).size())
+                        number -> plan.candidates().get(number).candidate().cost(), this::warning, otherwise())
                 .steps(this, problem, 1.0);
+    }
+
+    private ToDoubleFunction<List<Integer>> otherwise() {
+        if (measure() == WarningMeasure.MEAN) {
+            return some -> 0.0;
+        }
+        PlacementProblem all =
+                new PlacementProblem(problem.table(), PlacementObjective.MEAN_IMPACT, problem.conditions());
+        return some -> -all.value(some);
     }
 }

@@ -38,9 +38,11 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
 
     @Override
     public List<String> lines() {
-        List<String> lines = new ArrayList<>(new PlaceTable(best(), measure()).lines());
+        PlaceTable table = new PlaceTable(best(), measure());
+        List<String> lines = new ArrayList<>(table.lines());
         lines.add("");
-        new PlaceTable(best(), measure()).nothing().ifPresent(lines::add);
+        table.nothing().ifPresent(lines::add);
+        table.late().ifPresent(lines::add);
         lines.addAll(new CoverageSentences(this).lines());
         lines.addAll(new FrontWords(measure()).lines(front));
         fields.ifPresent(its -> {

@@ -120,16 +120,26 @@ final class PlaceReport {
                     PlaceWords.money(step.cost()),
                     measure.text(step.value())));
         }
-        return Html.plain("p", order() + measure.columns()) + Html.table(head, rows);
+        return Html.plain("p", order() + measure.columns())
+                + Html.table(head, rows)
+                + table.late().map(late -> Html.plain("p", late)).orElse("");
     }
 
     private String order() {
-        return best.isOrderedBackwards()
-                ? "The sensors are listed in the order in which to buy them. Since several must detect the drone, the"
-                        + " order was found from its end: at each step, the sensor whose loss is least for its price"
-                        + " was left out. "
-                : "The sensors are listed in the order in which to buy them: at each step, the one that adds most for"
+        return switch (best.buyingRule()) {
+            case MOST_ADDED ->
+                "The sensors are listed in the order in which to buy them: at each step, the one that adds most for"
                         + " its price. ";
+            case LEAST_LOST ->
+                "The sensors are listed in the order in which to buy them. Since several must detect the drone, the"
+                        + " order was found from its end: at each step, the sensor whose loss is least for its price"
+                        + " was left out. ";
+            case BEST_LEFT ->
+                "The sensors are listed in the order in which to buy them. Since only the worst case counts, which the"
+                        + " first sensors may not improve, the order was found from its end: at each step, the sensor"
+                        + " was left out without which the others are worth most; in a tie, the one that is missed"
+                        + " least over all cases for its price. ";
+        };
     }
 
     private static List<String> row(PlaceTable table, SiteCandidate sensor, String cost, String sum, String together) {

@@ -84,6 +84,20 @@ final class PlaceTable {
                                 + " anything."));
     }
 
+    /** Until which purchase nothing is gained, in a sentence; empty if the first one gains something. */
+    Optional<String> late() {
+        String none = measure.text(0.0);
+        List<PlaceStep> steps = layout.purchases();
+        List<PlaceStep> idle = steps.stream()
+                .takeWhile(step -> measure.text(step.value()).equals(none))
+                .toList();
+        return idle.isEmpty() || idle.size() == steps.size()
+                ? Optional.empty()
+                : Optional.of(
+                        (idle.size() == 1 ? "The first purchase gains" : "The first " + idle.size() + " purchases gain")
+                                + " nothing until " + steps.get(idle.size()).added() + " is bought as well.");
+    }
+
     /** That even the cheapest sensor costs more than the budget, in a sentence; empty if it does not. */
     private Optional<String> unaffordable() {
         double budget = layout.plan().settings().budget();

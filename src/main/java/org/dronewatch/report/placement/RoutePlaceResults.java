@@ -44,6 +44,7 @@ public record RoutePlaceResults(
         List<String> lines = new ArrayList<>(table.lines());
         lines.add("");
         table.nothing().ifPresent(lines::add);
+        table.late().ifPresent(lines::add);
         lines.addAll(new RouteSentences(best()).lines());
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);

@@ -45,6 +45,7 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
         List<String> lines = new ArrayList<>(table.lines());
         lines.add("");
         table.nothing().ifPresent(lines::add);
+        table.late().ifPresent(lines::add);
         lines.add(new WarningSentences(best(), measure()).worth());
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);

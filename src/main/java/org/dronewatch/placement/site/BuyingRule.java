@@ -1,0 +1,34 @@
+package org.dronewatch.placement.site;
+
+import org.dronewatch.placement.plan.PlaceObjective;
+import org.dronewatch.placement.plan.PlaceSettings;
+import org.dronewatch.placement.plan.WarningMeasure;
+
+/** How the order in which to buy the sensors of a layout is found. */
+public enum BuyingRule {
+    /** From its beginning: at each step, the sensor that adds the most for its price is bought. */
+    MOST_ADDED,
+
+    /**
+     * From its end: at each step, the sensor whose loss is least for its price is left out. Where several sensors must
+     * detect the drone, the first of them are worth nothing by themselves.
+     */
+    LEAST_LOST,
+
+    /**
+     * From its end: at each step, the sensor is left out without which the worst case is best; in a tie, the one that
+     * is missed least over all cases for its price. Where only the worst case counts, the first sensors often do not
+     * improve it.
+     */
+    BEST_LEFT;
+
+    /** The rule for an objective and its conditions. */
+    static BuyingRule of(PlaceSettings settings) {
+        boolean isWorst = settings.objective() == PlaceObjective.WEAKEST_ROUTE
+                || settings.objective() == PlaceObjective.WARNING_TIME && settings.warning() == WarningMeasure.WORST;
+        if (isWorst) {
+            return BEST_LEFT;
+        }
+        return settings.conditions().fold() > 1 ? LEAST_LOST : MOST_ADDED;
+    }
+}
