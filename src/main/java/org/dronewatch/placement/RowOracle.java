@@ -13,4 +13,9 @@ public interface RowOracle {
      * @throws java.util.concurrent.CancellationException when this thread is interrupted
      */
     List<double[]> weakest(List<Integer> chosen);
+
+    /** All rows that are known by now, also those that were found otherwise than by {@link #weakest}; may be empty. */
+    default List<double[]> known() {
+        return List.of();
+    }
 }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
 import org.dronewatch.app.console.Interruption;
 import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.report.route.RouteInputs;
@@ -34,6 +35,7 @@ final class RouteFlights {
     private final Interruption interruption;
     private final TaskProgress shown;
     private final int runs;
+    private final Consumer<SectorRoute> found;
 
     /** By their paths: the routes of repeated searches, too. */
     private final Map<RoutePath, Flight> flights = new HashMap<>();
@@ -53,13 +55,21 @@ final class RouteFlights {
      * Flights of routes.
      *
      * @param runs number of seeds with which each route is flown; 0 for none
+     * @param found receives each route before it is assessed
      */
-    RouteFlights(SceneRunner runner, RouteInputs inputs, Interruption interruption, TaskProgress shown, int runs) {
+    RouteFlights(
+            SceneRunner runner,
+            RouteInputs inputs,
+            Interruption interruption,
+            TaskProgress shown,
+            int runs,
+            Consumer<SectorRoute> found) {
         this.runner = runner;
         this.inputs = inputs;
         this.interruption = interruption;
         this.shown = shown;
         this.runs = runs;
+        this.found = found;
     }
 
     /**
@@ -137,6 +147,7 @@ final class RouteFlights {
 
     /** The route with the exposure to all looks along it, if these say anything. */
     private SectorRoute assess(SectorRoute route, RouteSurvey survey) {
+        found.accept(route);
         Optional<SceneSettings> scene = new RouteScenes(inputs, runner::text).settings(route, survey);
         if (scene.isEmpty()) {
             return route;

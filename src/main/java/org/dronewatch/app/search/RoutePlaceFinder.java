@@ -1,5 +1,9 @@
 package org.dronewatch.app.search;
 
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -14,6 +18,7 @@ import org.dronewatch.report.placement.RoutePlaceResults;
 import org.dronewatch.report.route.RouteInputs;
 import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.route.FlightMode;
+import org.dronewatch.route.SectorRoute;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
@@ -23,58 +28,127 @@ final class RoutePlaceFinder implements PlaceFinder {
     public PlaceResults find(PlaceTask task) {
         WeakestRouteSearch search = new WeakestRouteSearch(task.plan(), task.stage(), task.store(), task.solver());
         RouteLayouts layouts = task.during("rates of detection", search.looks(), search::assessed);
-        RoutePlacement best = task.shown()
-                .during(
-                        "layouts and routes past them",
-                        round -> layouts.found(task.limits(), tried -> round.accept(1)));
-        BudgetFront<RoutePlacement> front = task.front(layouts.cheaper(best));
-        Optional<FlownLayout> layout = front.complete() ? layout(task, front.best()) : Optional.empty();
-        Optional<FlownLayout> present =
-                layout.isPresent() && !task.plan().present().enabledSensors().isEmpty()
-                        ? flown(task, front.best(), task.plan().present())
-                        : Optional.empty();
-        return new RoutePlaceResults(front, layout, present);
+        return new Search(task, layouts).results();
     }
 
-    private static Optional<FlownLayout> layout(PlaceTask task, RoutePlacement best) {
-        if (best.chosen().isEmpty()) {
-            return Optional.empty();
-        }
-        try {
-            return flown(task, best, Layout.of(task.plan(), best.chosen()));
-        } catch (InputException e) {
-            task.shown().notes().accept("the routes past the layout are not flown: " + e.getMessage());
-            return Optional.empty();
-        }
-    }
+    /** Searches again for as long as flights past the best layout, or cheaper ones, show weaker routes past it. */
+    private static final class Search {
+        private final PlaceTask task;
+        private final RouteLayouts layouts;
 
-    /** Searches for the routes past a layout as a scene, as {@code route} does, and flies them. */
-    private static Optional<FlownLayout> flown(PlaceTask task, RoutePlacement best, SceneSettings settings) {
-        RouteInputs inputs = new RouteInputs(
-                task.plan().scene().name(),
-                task.plan().drone(),
-                settings,
-                task.stage().protection(),
-                best.grid(),
-                task.plan().settings().air().pointing().orElse(FieldTerms.Turning.SEARCH),
-                Optional.empty(),
-                Optional.empty());
-        try {
-            RouteFinder finder = new RouteFinder(
-                    task.plan().runner(),
-                    inputs,
-                    task.plan().runner().stage(settings),
-                    task.interruption(),
-                    task.shown());
-            RouteResults results = finder.find(
-                    FlightMode.of(
-                            settings.individualDrones().get(task.plan().drone()),
-                            settings.enabledSensors().values()),
+        /** By their sensors: the layouts whose routes have been flown, with nothing for those that cannot be. */
+        private final Map<List<Integer>, Optional<FlownLayout>> flown = new HashMap<>();
+
+        private Optional<FlownLayout> present = Optional.empty();
+        private boolean isInterrupted;
+
+        Search(PlaceTask task, RouteLayouts layouts) {
+            this.task = task;
+            this.layouts = layouts;
+        }
+
+        RoutePlaceResults results() {
+            while (true) {
+                RoutePlacement best = best();
+                BudgetFront<RoutePlacement> front = task.front(layouts.cheaper(best));
+                Optional<FlownLayout> layout = front.complete() ? layout(front.best()) : Optional.empty();
+                if (!front.complete() || isInterrupted || holds(front)) {
+                    // An interruption may also have ended the check of these figures.
+                    boolean isComplete = front.complete() && !isInterrupted;
+                    return new RoutePlaceResults(
+                            new BudgetFront<>(front.points(), front.tried(), isComplete), layout, present);
+                }
+            }
+        }
+
+        /** The best layout, with the routes past it known as they are flown. */
+        private RoutePlacement best() {
+            while (true) {
+                RoutePlacement best = task.shown()
+                        .during(
+                                "layouts and routes past them",
+                                round -> layouts.found(task.limits(), tried -> round.accept(1)));
+                if (best.complete()) {
+                    layout(best);
+                }
+                if (!best.complete() || isInterrupted || holds(best)) {
+                    return best;
+                }
+            }
+        }
+
+        private boolean holds(BudgetFront<RoutePlacement> front) {
+            return front.points().stream().allMatch(point -> holds(point.layout()));
+        }
+
+        /** Nothing is searched for again after an interruption. */
+        private boolean holds(RoutePlacement layout) {
+            try {
+                return layouts.holds(layout);
+            } catch (CancellationException e) {
+                isInterrupted = true;
+                return true;
+            }
+        }
+
+        /** The routes past a layout as they are flown, and past the scene's own sensors; all are known afterwards. */
+        private Optional<FlownLayout> layout(RoutePlacement best) {
+            if (best.chosen().isEmpty()) {
+                return Optional.empty();
+            }
+            Optional<FlownLayout> layout = flown.computeIfAbsent(best.result().chosen(), chosen -> past(best));
+            if (layout.isPresent()
+                    && present.isEmpty()
+                    && !task.plan().present().enabledSensors().isEmpty()) {
+                present = flown(best, task.plan().present());
+            }
+            return layout;
+        }
+
+        private Optional<FlownLayout> past(RoutePlacement best) {
+            try {
+                return flown(best, Layout.of(task.plan(), best.chosen()));
+            } catch (InputException e) {
+                task.shown().notes().accept("the routes past the layout are not flown: " + e.getMessage());
+                return Optional.empty();
+            }
+        }
+
+        /** Searches for the routes past a layout as a scene, as {@code route} does, and flies them. */
+        private Optional<FlownLayout> flown(RoutePlacement best, SceneSettings settings) {
+            RouteInputs inputs = new RouteInputs(
+                    task.plan().scene().name(),
+                    task.plan().drone(),
+                    settings,
+                    task.stage().protection(),
+                    best.grid(),
+                    task.plan().settings().air().pointing().orElse(FieldTerms.Turning.SEARCH),
                     Optional.empty(),
-                    0);
-            return Optional.of(new FlownLayout(inputs, results));
-        } catch (CancellationException e) {
-            return Optional.empty();
+                    Optional.empty());
+            try {
+                RouteFinder finder = new RouteFinder(
+                        task.plan().runner(),
+                        inputs,
+                        task.plan().runner().stage(settings),
+                        task.interruption(),
+                        task.shown());
+                List<SectorRoute> found = new ArrayList<>();
+                RouteResults results = finder.find(
+                        FlightMode.of(
+                                settings.individualDrones().get(task.plan().drone())),
+                        Optional.empty(),
+                        0,
+                        found::add);
+                if (results.isComplete()) {
+                    layouts.learn(found);
+                } else {
+                    isInterrupted = true;
+                }
+                return Optional.of(new FlownLayout(inputs, results));
+            } catch (CancellationException e) {
+                isInterrupted = true;
+                return Optional.empty();
+            }
         }
     }
 }

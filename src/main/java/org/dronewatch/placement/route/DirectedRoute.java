@@ -12,6 +12,11 @@ import org.dronewatch.route.search.WeakestRoute;
  * @param route that is least exposed
  */
 public record DirectedRoute(int sector, Optional<String> condition, WeakestRoute route) {
+    /** The same route past other sensors, with the exposure to them and its lower bound for all routes past them. */
+    DirectedRoute exposed(double exposure, double lower) {
+        return new DirectedRoute(sector, condition, new WeakestRoute(route.path(), exposure, lower, route.seconds()));
+    }
+
     /** The exposure along the route, as far as a detection counts. */
     public double exposure() {
         return route.exposure();

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.cell.FieldGrid;
-import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.BuyingOrder;
@@ -17,6 +16,9 @@ import org.dronewatch.placement.solver.CutResult;
 
 /** What is stated about a layout that was found: routes are searched for past each part of it. */
 final class RouteFigures {
+    /** Values that differ by a smaller fraction are equal. */
+    static final double ROUNDING = 1e-9;
+
     private final PlacePlan plan;
     private final FieldGrid grid;
     private final RouteRows rows;
@@ -29,7 +31,7 @@ final class RouteFigures {
 
     /** The figures; without those of parts of the layout and of the scene if this thread is interrupted. */
     RoutePlacement of(CutResult cut) {
-        return withParts(inBrief(cut), cut);
+        return withParts(inBrief(cut));
     }
 
     /** Without the figures of parts of the layout and of the scene. */
@@ -57,82 +59,56 @@ final class RouteFigures {
                 found.complete());
     }
 
-    /**
-     * A layout together with the figures of its parts and of the scene; without them if this thread is interrupted.
-     *
-     * @param brief the layout, without these figures
-     * @param cut the result from which it comes
-     */
-    RoutePlacement withParts(RoutePlacement brief, CutResult cut) {
+    /** A layout with the figures of its parts and of the scene; without them if this thread is interrupted. */
+    RoutePlacement withParts(RoutePlacement brief) {
         try {
-            return brief.with(new RouteParts(alone(cut), without(cut), purchases(brief, cut.problem()), present()));
+            return brief.with(parts(brief));
         } catch (CancellationException e) {
             return brief.incomplete();
         }
     }
 
-    private Map<String, Double> alone(CutResult cut) {
+    /** Whether the figures of a layout still hold for all routes that are known by now. */
+    boolean holds(RoutePlacement layout) {
+        // Parts first: their figures may need routes that are not known yet.
+        boolean isSame = layout.parts().alone().isEmpty() || layout.parts().equals(parts(layout));
+        return isSame && rows.value(layout.result().chosen()) >= (1.0 - ROUNDING) * layout.value();
+    }
+
+    private RouteParts parts(RoutePlacement brief) {
+        return new RouteParts(alone(brief), without(brief), purchases(brief), present());
+    }
+
+    private Map<String, Double> alone(RoutePlacement brief) {
         Map<String, Double> alone = new LinkedHashMap<>();
-        cut.result()
-                .chosen()
-                .forEach(one -> alone.put(plan.candidates().get(one).name(), value(cut.problem(), List.of(one))));
+        brief.result().chosen().forEach(one -> alone.put(name(one), rows.value(List.of(one))));
         return alone;
     }
 
-    private Map<String, Double> without(CutResult cut) {
+    private Map<String, Double> without(RoutePlacement brief) {
+        List<Integer> chosen = brief.result().chosen();
         Map<String, Double> without = new LinkedHashMap<>();
-        for (Integer lost : cut.result().chosen()) {
-            List<Integer> rest = cut.result().chosen().stream()
-                    .filter(other -> !other.equals(lost))
-                    .toList();
-            without.put(plan.candidates().get(lost).name(), value(cut.problem(), rest));
-        }
+        chosen.forEach(lost -> without.put(
+                name(lost),
+                rows.value(chosen.stream().filter(other -> !other.equals(lost)).toList())));
         return without;
+    }
+
+    private String name(int candidate) {
+        return plan.candidates().get(candidate).name();
     }
 
     private Optional<PresentLayout> present() {
         Set<String> own = plan.present().enabledSensors().keySet();
-        return own.isEmpty() ? Optional.empty() : Optional.of(new PresentLayout(own.size(), counted(rows.past(own))));
-    }
-
-    private static double counted(List<DirectedRoute> routes) {
-        return Math.min(WeakestRouteSearch.ENOUGH, routes.get(0).exposure());
-    }
-
-    /**
-     * The exposure on the weakest route past some candidates; no route is searched for if one is known without
-     * exposure.
-     */
-    private double value(PlacementProblem problem, List<Integer> candidates) {
-        double known = problem.value(candidates);
-        return known == 0.0
-                ? 0.0
-                : Math.min(known, rows.pastCandidates(candidates).get(0).exposure());
+        return own.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new PresentLayout(own.size(), RouteRows.counted(rows.past(own))));
     }
 
     /** What is missed least over all routes decides where the weakest of them are equally exposed. */
-    private List<PlaceStep> purchases(RoutePlacement brief, PlacementProblem problem) {
+    private List<PlaceStep> purchases(RoutePlacement brief) {
         return new BuyingOrder(
-                        number -> plan.candidates().get(number).candidate().cost(),
-                        some -> Math.min(WeakestRouteSearch.ENOUGH, value(problem, some)),
-                        some -> Math.min(WeakestRouteSearch.ENOUGH, problem.value(some)),
-                        some -> mean(problem, some))
-                .steps(brief, problem, 1.0);
-    }
-
-    /** The mean over the routes of what counts on each. */
-    private static double mean(PlacementProblem problem, List<Integer> candidates) {
-        double[] sums = new double[problem.table().rows()];
-        for (int candidate : candidates) {
-            var column = problem.table().column(candidate);
-            for (int at = 0; at < column.size(); at++) {
-                sums[column.row(at)] += column.value(at);
-            }
-        }
-        double mean = 0.0;
-        for (double sum : sums) {
-            mean += Math.min(WeakestRouteSearch.ENOUGH, sum) / sums.length;
-        }
-        return mean;
+                        number -> plan.candidates().get(number).candidate().cost(), rows::value, rows::most, rows::mean)
+                .steps(brief, 1.0);
     }
 }

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -18,8 +19,8 @@ import org.dronewatch.placement.plan.PlanConditions;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.CheaperLayouts;
 import org.dronewatch.placement.site.SectorGain;
-import org.dronewatch.placement.solver.CutResult;
 import org.dronewatch.placement.solver.CuttingPlanes;
+import org.dronewatch.route.SectorRoute;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
@@ -77,6 +78,36 @@ public final class RouteLayouts {
     }
 
     /**
+     * Makes routes known that were found otherwise in the scene as it is, such as those past what flights have shown:
+     * from now on, layouts are compared on them as well.
+     *
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public void learn(List<SectorRoute> found) {
+        rows.learn(found);
+    }
+
+    /**
+     * Whether the figures of a layout still hold for all routes that are known by now; if not, {@link #found} may find a
+     * better one.
+     *
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public boolean holds(RoutePlacement layout) {
+        return figures.holds(layout) && survivesLosses(layout.result().chosen());
+    }
+
+    private boolean survivesLosses(List<Integer> chosen) {
+        OptionalDouble needed = conditions().anyoneLost();
+        return needed.isEmpty()
+                || chosen.stream().allMatch(lost -> {
+                    List<Integer> rest =
+                            chosen.stream().filter(other -> !other.equals(lost)).toList();
+                    return rows.value(rest) >= (1.0 - RouteFigures.ROUNDING) * needed.getAsDouble();
+                });
+    }
+
+    /**
      * The search for cheaper layouts.
      *
      * @param best the layout for the whole budget that was found
@@ -88,7 +119,6 @@ public final class RouteLayouts {
     /** Layouts for less money, searched for one by one, since each search knows the routes found before it. */
     private final class Cheaper implements CheaperLayouts<RoutePlacement> {
         private final RoutePlacement best;
-        private final Map<List<Integer>, CutResult> found = new HashMap<>();
 
         Cheaper(RoutePlacement best) {
             this.best = best;
@@ -101,10 +131,7 @@ public final class RouteLayouts {
 
         @Override
         public Optional<RoutePlacement> within(double budget, SolverLimits limits) {
-            return planes.within(budget).solve(limits, round -> {}).map(cut -> {
-                found.put(cut.result().chosen(), cut);
-                return figures.inBrief(cut);
-            });
+            return planes.within(budget).solve(limits, round -> {}).map(figures::inBrief);
         }
 
         /** Exposures are those on the routes that were found, so a smaller difference may be none. */
@@ -120,10 +147,9 @@ public final class RouteLayouts {
 
         @Override
         public RoutePlacement described(RoutePlacement layout) {
-            CutResult cut = found.get(layout.result().chosen());
-            return cut == null || !layout.parts().alone().isEmpty()
-                    ? layout
-                    : figures.withParts(layout.countedAs(best), cut);
+            return best.complete() && layout.parts().alone().isEmpty()
+                    ? figures.withParts(layout.countedAs(best))
+                    : layout;
         }
 
         @Override

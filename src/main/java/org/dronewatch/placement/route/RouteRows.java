@@ -1,6 +1,5 @@
 package org.dronewatch.placement.route;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -8,10 +7,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.placement.RowOracle;
+import org.dronewatch.route.SectorRoute;
 
 /**
- * The weakest route from each direction past a layout, in the scene as it is and under each condition, by its exposure
- * to each candidate.
+ * The weakest known route from each direction past a layout, in the scene as it is and under each condition, by its
+ * exposure to each candidate. Not thread-safe.
  */
 final class RouteRows implements RowOracle {
     private final List<SceneRoutes> scenes;
@@ -31,9 +31,21 @@ final class RouteRows implements RowOracle {
     @Override
     public List<double[]> weakest(List<Integer> chosen) {
         Set<String> names = names(chosen);
-        List<double[]> rows = new ArrayList<>();
-        scenes.forEach(scene -> rows.addAll(scene.compared(names, candidates)));
-        return rows;
+        return scenes.stream()
+                .flatMap(scene -> scene.searched(names, candidates).stream())
+                .toList();
+    }
+
+    @Override
+    public List<double[]> known() {
+        return scenes.stream()
+                .flatMap(scene -> scene.known(candidates).stream())
+                .toList();
+    }
+
+    /** Makes routes known that were found otherwise, in the scene as it is. */
+    void learn(List<SectorRoute> found) {
+        scenes.get(0).learn(found);
     }
 
     private Set<String> names(List<Integer> chosen) {
@@ -43,7 +55,8 @@ final class RouteRows implements RowOracle {
     }
 
     /**
-     * The weakest routes past some of the sensors from each direction under each condition, the weakest of all first.
+     * The weakest known routes past some of the sensors from each direction under each condition, the weakest of all
+     * first.
      */
     List<DirectedRoute> past(Set<String> names) {
         return scenes.stream()
@@ -63,7 +76,33 @@ final class RouteRows implements RowOracle {
      */
     Map<Optional<String>, Double> values(List<Integer> chosen) {
         Map<Optional<String>, Double> values = new LinkedHashMap<>();
-        scenes.forEach(scene -> values.put(scene.condition(), scene.value(chosen, names(chosen))));
+        scenes.forEach(scene -> values.put(scene.condition(), counted(scene.past(names(chosen)))));
         return values;
+    }
+
+    /** The least exposure under all conditions; no route is searched for if one is known without exposure. */
+    double value(List<Integer> chosen) {
+        return most(chosen) == 0.0 ? 0.0 : counted(pastCandidates(chosen));
+    }
+
+    /** What counts of the exposure on the first of some routes, the weakest. */
+    static double counted(List<DirectedRoute> routes) {
+        return Math.min(WeakestRouteSearch.ENOUGH, routes.get(0).exposure());
+    }
+
+    /** What the least exposure to some candidates does not exceed, by the routes known so far. */
+    double most(List<Integer> chosen) {
+        Set<String> names = names(chosen);
+        return scenes.stream().mapToDouble(scene -> scene.least(names)).min().orElseThrow();
+    }
+
+    /** The mean over all known routes of the exposure that counts on each. */
+    double mean(List<Integer> chosen) {
+        return known().stream()
+                .mapToDouble(row -> Math.min(
+                        WeakestRouteSearch.ENOUGH,
+                        chosen.stream().mapToDouble(one -> row[one]).sum()))
+                .average()
+                .orElse(0.0);
     }
 }

@@ -130,7 +130,11 @@ public final class WeakestRouteSearch {
         plan.candidates().forEach(one -> known.add(fields.of(one.name(), one.sensor(), progress)));
         others().forEach((name, sensor) -> known.add(fields.of(name, sensor, progress)));
         try {
-            return new SceneRoutes(condition, fields.routes(known), fields.disabled());
+            return new SceneRoutes(
+                    condition,
+                    fields.routes(known),
+                    fields.disabled(),
+                    known.stream().map(SensorFields::name).toList());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage() + SceneRoutes.under(condition), e);
         }

@@ -6,7 +6,6 @@ import java.util.LinkedList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
-import org.dronewatch.placement.PlacementProblem;
 
 /** The order in which to buy the sensors of a layout. */
 public final class BuyingOrder {
@@ -50,14 +49,14 @@ public final class BuyingOrder {
      *
      * @param unit the value of a step is stated in multiples of this
      */
-    public List<PlaceStep> steps(PlacedLayout layout, PlacementProblem problem, double unit) {
+    public List<PlaceStep> steps(PlacedLayout layout, double unit) {
         List<Integer> bought = new ArrayList<>(FrontSearch.kept(layout));
         List<PlaceStep> steps = new ArrayList<>();
         for (Integer next : order(layout.buyingRule(), bought, layout.result().chosen())) {
             bought.add(next);
             steps.add(new PlaceStep(
                     layout.plan().candidates().get(next).name(),
-                    problem.cost(bought),
+                    bought.stream().mapToDouble(price::applyAsDouble).sum(),
                     value.applyAsDouble(bought) / unit));
         }
         return steps;

@@ -111,6 +111,6 @@ public record SitePlacement(
     public List<PlaceStep> purchases() {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), problem::value, some -> 0.0)
-                .steps(this, problem, rows);
+                .steps(this, rows);
     }
 }

@@ -171,7 +171,7 @@ public record WarningPlacement(
     public List<PlaceStep> purchases() {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), this::warning, otherwise())
-                .steps(this, problem, 1.0);
+                .steps(this, 1.0);
     }
 
     private ToDoubleFunction<List<Integer>> otherwise() {

@@ -9,6 +9,6 @@ import org.dronewatch.placement.PlacementResult;
  * @param problem the problem with all rows that were found
  * @param result the result, whose value is that in the weakest of these rows; the bound holds for all rows, found or
  *     not
- * @param rounds how many layouts the oracle was asked about
+ * @param rounds how many layouts the oracle has been asked about, by this search and those before it
  */
 public record CutResult(PlacementProblem problem, PlacementResult result, int rounds) {}

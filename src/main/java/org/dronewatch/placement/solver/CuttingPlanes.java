@@ -68,7 +68,7 @@ public final class CuttingPlanes {
         this.known = known;
     }
 
-    /** The same search with another budget; it begins with the rows that this one has found. */
+    /** The same search with another budget; it begins with the rows that this one has found, or the oracle knows. */
     public CuttingPlanes within(double budget) {
         return new CuttingPlanes(candidates, conditions.withBudget(budget), oracle, solver, enough, known);
     }
@@ -102,7 +102,6 @@ public final class CuttingPlanes {
         private final CutRows rows = new CutRows(candidates, conditions);
         private final List<List<Integer>> layouts = new ArrayList<>(known.layouts());
         private final Set<List<Integer>> tried = new HashSet<>(layouts);
-        private final int before = layouts.size();
         private double bound = enough;
         private boolean isInterrupted;
         private boolean isProven;
@@ -110,6 +109,7 @@ public final class CuttingPlanes {
         Search(SolverLimits limits) {
             this.limits = limits;
             rows.addAll(known.rows());
+            rows.addAll(oracle.known());
         }
 
         void cut(List<Integer> layout) {
@@ -141,7 +141,7 @@ public final class CuttingPlanes {
                 boolean isNew = tried.add(layout);
                 if (isNew) {
                     cutUnlessInterrupted(layout);
-                    round.accept(rounds());
+                    round.accept(layouts.size());
                 }
                 double value = rows.best(layouts).map(this::value).orElse(Double.NEGATIVE_INFINITY);
                 // What the oracle cannot cut in an accurately solved round is the best.
@@ -164,11 +164,6 @@ public final class CuttingPlanes {
             return Math.min(enough, rows.value(layout));
         }
 
-        /** The number of layouts that this search has given to the oracle. */
-        private int rounds() {
-            return layouts.size() - before;
-        }
-
         Optional<CutResult> result() {
             PlacementProblem problem = rows.problem(enough);
             if (layouts.isEmpty() && !isProven) {
@@ -179,7 +174,7 @@ public final class CuttingPlanes {
                 boolean isComplete = isProven && !isInterrupted;
                 PlacementResult result =
                         new PlacementResult(layout, value, Math.max(bound, value), problem.cost(layout), isComplete);
-                return new CutResult(problem, result, rounds());
+                return new CutResult(problem, result, layouts.size());
             });
         }
     }
