@@ -41,9 +41,12 @@ class PlaceObjectivesTest {
     private Path directory;
 
     private PlacedLayout place(String more) throws IOException {
+        return placed(CANDIDATES + more);
+    }
+
+    private PlacedLayout placed(String file) throws IOException {
         FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
-        Path file = Files.writeString(directory.resolve("ring.place.yaml"), CANDIDATES + more);
-        return PlacedLayout.of(file, directory.resolve("."));
+        return PlacedLayout.of(Files.writeString(directory.resolve("ring.place.yaml"), file), directory.resolve("."));
     }
 
     private JsonNode json(String name) {
@@ -81,6 +84,8 @@ class PlaceObjectivesTest {
         JsonNode routes = json("routes/route.json").get("routes");
         assertThat(flown.size()).isEqualTo(8);
         assertThat(routes.size()).isEqualTo(8);
+        assertThat(json("place.json").get("value").asDouble())
+                .isCloseTo(json("routes/route.json").get("least_exposure").asDouble(), within(1e-6));
         for (int sector = 0; sector < 8; sector++) {
             assertThat(flown.get(sector).get("sector"))
                     .isEqualTo(routes.get(sector).get("sector"));
@@ -90,6 +95,73 @@ class PlaceObjectivesTest {
         assertThat(place.outcome().out())
                 .contains("Past the layout, on the weakest route, the drone comes from the ")
                 .contains("Past today's sensors, on the weakest route, the drone comes from the ");
+    }
+
+    /**
+     * The ring lies between the middles of cells: flights show that it detects the drone on the route that the search
+     * finds first, and others take its place. The search promises no more than on that route.
+     */
+    @Test
+    void theExposureOnARouteThatFlightsReplaceIsThatOfRoute() throws IOException {
+        PlacedLayout place = placed(
+                """
+                scene: site.yaml
+                objective: weakest-route
+                budget: 3
+                candidates:
+                  ring:
+                    sensor: {kind: radar, minRange: 45, maxRange: 74, elevationWidth: 90 deg, rate: 0.5 Hz, minSpeed: 0 m/s,
+                      budget: {range: 5000, crossSection: 0.01}}
+                    price: 1
+                    places: [[15, 30, 4]]
+                  radar:
+                    sensor: {kind: radar, minRange: 1, maxRange: 300, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 3 m/s,
+                      budget: {range: 90, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                    price: 2
+                    places: [[-63, -1, 6], [-46, -62, 3]]
+                air: {side: 360 m, cell: 50 m, heights: [20 m]}
+                """);
+        JsonNode promised = place.promised();
+        JsonNode routes = place.json("route", "--out=" + directory.resolve("routes"));
+        double value = promised.get("value").asDouble();
+
+        assertThat(promised.get("chosen")).hasSize(2);
+        assertThat(routes.get("routes"))
+                .allSatisfy(route -> assertThat(route.get("upper").asDouble()).isGreaterThan(2.0 * value));
+        assertThat(routes.get("least_exposure").asDouble()).isCloseTo(value, within(1e-3 * value));
+        assertThat(promised.get("route").get("exposure").asDouble()).isEqualTo(value);
+        assertThat(place.outcome().out())
+                .contains(
+                        "By the search alone, the least exposed route comes from the west, with a counted exposure of ");
+    }
+
+    /** A route that was found past other sensors is weaker past the layout than those that a search past it finds. */
+    @Test
+    void theExposureOnARouteOfAnotherLayoutIsPromised() throws IOException {
+        assumeTrue(LongForm.IS_ON, "takes half a minute");
+        PlacedLayout place = placed(
+                """
+                scene: site.yaml
+                objective: weakest-route
+                budget: 6
+                candidates:
+                  radar:
+                    sensor: {kind: radar, minRange: 1, maxRange: 150, elevationWidth: 90 deg, rate: 0.1 Hz, minSpeed: 0.1 m/s,
+                      budget: {range: 60, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                    price: 2
+                    places: [[-19, 106, 6], [-106, 30, 6], [-17, -14, 17], [105, -108, 6]]
+                air: {side: 300 m, cell: 30 m, heights: [8 m, 20 m]}
+                """);
+        JsonNode promised = place.promised();
+        JsonNode routes = place.json("route", "--out=" + directory.resolve("routes"));
+
+        assertThat(promised.get("route").get("exposure")).isEqualTo(promised.get("value"));
+        assertThat(promised.get("value").asDouble())
+                .isLessThan(0.999 * routes.get("least_exposure").asDouble());
+        assertThat(place.outcome().out())
+                .contains(
+                        "A search for routes past the layout finds none with an exposure below 0.388; the weakest, with"
+                                + " 0.386, was found past other sensors.");
     }
 
     @Test

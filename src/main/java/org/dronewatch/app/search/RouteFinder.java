@@ -3,7 +3,6 @@ package org.dronewatch.app.search;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
@@ -19,7 +18,6 @@ import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.route.FlightMode;
 import org.dronewatch.route.ModeField;
 import org.dronewatch.route.RouteSurvey;
-import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.proof.UnseenPlaces;
 import org.dronewatch.route.search.TimeToGo;
@@ -61,17 +59,8 @@ public final class RouteFinder {
      * @param flights number of seeds with which each route is flown; 0 for none
      */
     public RouteResults find(List<FlightMode> modes, Optional<AreaZone> launch, int flights) {
-        return find(modes, launch, flights, route -> {});
-    }
-
-    /**
-     * Finds the routes.
-     *
-     * @param found receives each route that the search finds, also those of repeated searches that are not kept
-     */
-    RouteResults find(List<FlightMode> modes, Optional<AreaZone> launch, int flights, Consumer<SectorRoute> found) {
         List<ModeField> fields = fields(modes);
-        Found first = shown.during("routes", SiteRoutes.SECTORS + 1, progress -> {
+        Found found = shown.during("routes", SiteRoutes.SECTORS + 1, progress -> {
             SiteRoutes routes = routes(fields, launch);
             UnseenPlaces between = UnseenPlaces.of(fields, inputs.settings());
             TimeToGo times = routes.timeToGo();
@@ -83,8 +72,8 @@ public final class RouteFinder {
                     interruption::letFinish);
             return new Found(routes, survey, between, times);
         });
-        return new RouteFlights(runner, inputs, interruption, shown, flights, found)
-                .of(first.routes(), first.survey(), first.between(), first.times());
+        return new RouteFlights(runner, inputs, interruption, shown, flights)
+                .of(found.routes(), found.survey(), found.between(), found.times());
     }
 
     private List<ModeField> fields(List<FlightMode> modes) {

@@ -1,12 +1,13 @@
 package org.dronewatch.app.search;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
-import java.util.function.Consumer;
 import org.dronewatch.app.console.Interruption;
 import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.report.route.RouteInputs;
@@ -35,10 +36,11 @@ final class RouteFlights {
     private final Interruption interruption;
     private final TaskProgress shown;
     private final int runs;
-    private final Consumer<SectorRoute> found;
 
     /** By their paths: the routes of repeated searches, too. */
     private final Map<RoutePath, Flight> flights = new HashMap<>();
+
+    private final List<SectorRoute> found = new ArrayList<>();
 
     private final Map<Integer, RouteProof> proofs = new LinkedHashMap<>();
 
@@ -55,21 +57,13 @@ final class RouteFlights {
      * Flights of routes.
      *
      * @param runs number of seeds with which each route is flown; 0 for none
-     * @param found receives each route before it is assessed
      */
-    RouteFlights(
-            SceneRunner runner,
-            RouteInputs inputs,
-            Interruption interruption,
-            TaskProgress shown,
-            int runs,
-            Consumer<SectorRoute> found) {
+    RouteFlights(SceneRunner runner, RouteInputs inputs, Interruption interruption, TaskProgress shown, int runs) {
         this.runner = runner;
         this.inputs = inputs;
         this.interruption = interruption;
         this.shown = shown;
         this.runs = runs;
-        this.found = found;
     }
 
     /**
@@ -116,7 +110,7 @@ final class RouteFlights {
     private RouteResults results(RepeatedSearch search, UnseenPlaces between, TimeToGo times, boolean isComplete) {
         Map<Integer, Double> timely = new LinkedHashMap<>();
         flown(search).forEach((sector, flight) -> flight.timely().ifPresent(chance -> timely.put(sector, chance)));
-        return new RouteResults(search.survey(), between, times, proofs, timely, isComplete);
+        return new RouteResults(search.survey(), found, between, times, proofs, timely, isComplete);
     }
 
     /** By sector, the flights of the routes that were kept. */
@@ -147,7 +141,7 @@ final class RouteFlights {
 
     /** The route with the exposure to all looks along it, if these say anything. */
     private SectorRoute assess(SectorRoute route, RouteSurvey survey) {
-        found.accept(route);
+        found.add(route);
         Optional<SceneSettings> scene = new RouteScenes(inputs, runner::text).settings(route, survey);
         if (scene.isEmpty()) {
             return route;

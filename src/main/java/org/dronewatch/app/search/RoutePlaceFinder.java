@@ -1,6 +1,5 @@
 package org.dronewatch.app.search;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,7 +17,6 @@ import org.dronewatch.report.placement.RoutePlaceResults;
 import org.dronewatch.report.route.RouteInputs;
 import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.route.FlightMode;
-import org.dronewatch.route.SectorRoute;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 
@@ -132,15 +130,13 @@ final class RoutePlaceFinder implements PlaceFinder {
                         task.plan().runner().stage(settings),
                         task.interruption(),
                         task.shown());
-                List<SectorRoute> found = new ArrayList<>();
                 RouteResults results = finder.find(
                         FlightMode.of(
                                 settings.individualDrones().get(task.plan().drone())),
                         Optional.empty(),
-                        0,
-                        found::add);
+                        0);
                 if (results.isComplete()) {
-                    layouts.learn(found);
+                    layouts.learn(results.found());
                 } else {
                     isInterrupted = true;
                 }

@@ -104,9 +104,23 @@ final class FlownTable {
         RouteTable.summary(layout.results(), layout.inputs()).forEach(line -> words.add(of("Past the layout", line)));
         present.map(flown -> RouteTable.summary(flown.results(), flown.inputs()).get(0))
                 .ifPresent(line -> words.add(of("Past today's sensors", line)));
+        weaker().ifPresent(words::add);
         words.add("'route layout.yaml " + SameRoute.options(best, layout.inputs()) + "' gives the figures of the layout"
                 + asItIs() + ", and a scene for each route.");
         return words;
+    }
+
+    /** That a route of another layout is weaker than all that were found past this one; empty if none is, in print. */
+    private Optional<String> weaker() {
+        String known = RouteSentences.exposure(best.asItIs());
+        return layout.results()
+                .leastExposed()
+                .map(route -> route.route().exposure())
+                .filter(found ->
+                        best.asItIs() < found && !RouteSentences.exposure(found).equals(known))
+                .map(found -> "A search for routes past the layout finds none with an exposure below "
+                        + RouteSentences.exposure(found) + "; the weakest, with " + known
+                        + ", was found past other sensors.");
     }
 
     /** {@code , in the scene as it is}; an empty text if only that counts. */

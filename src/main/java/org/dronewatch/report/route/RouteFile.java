@@ -49,6 +49,11 @@ public final class RouteFile {
         RouteStarts.of(inputs.settings().enabledSensors().values())
                 .forEach(begin -> begins.add(Numbers.rounded(begin)));
         inputs.origin().ifPresent(origin -> JsonFile.add(root.putObject("origin"), origin));
+        root.put(
+                "least_exposure",
+                results.leastExposed()
+                        .map(route -> Numbers.rounded(route.route().exposure()))
+                        .orElse(null));
         ArrayNode routes = root.putArray("routes");
         survey.routes().forEach(route -> add(routes.addObject(), route, results, inputs));
         RouteNotes notes = new RouteNotes(inputs);

@@ -33,6 +33,7 @@ final class RouteNotes {
         RouteSurvey survey = results.survey();
         return Stream.of(
                         begins(survey).stream(),
+                        search.replaced(results).stream(),
                         search.unproven(survey).stream(),
                         heights.belowCeiling().stream(),
                         heights.beginningHigh(survey).stream(),

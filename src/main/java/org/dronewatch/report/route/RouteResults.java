@@ -1,7 +1,9 @@
 package org.dronewatch.report.route;
 
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.route.RouteSurvey;
@@ -15,6 +17,8 @@ import org.dronewatch.route.search.TimeToGo;
  * What {@code route} found.
  *
  * @param survey the weakest routes
+ * @param found all routes that the search has found, also those past what flights have shown that are not among the
+ *     weakest as flown, and those that they replaced
  * @param between whether the cells of the search are small enough
  * @param times the shortest times to the end of a route
  * @param proofs by sector, how often flights along its route are detected; empty if no proof was requested
@@ -24,15 +28,24 @@ import org.dronewatch.route.search.TimeToGo;
  */
 public record RouteResults(
         RouteSurvey survey,
+        List<SectorRoute> found,
         UnseenPlaces between,
         TimeToGo times,
         Map<Integer, RouteProof> proofs,
         Map<Integer, Double> timely,
         boolean isComplete) {
-    /** Copies the maps. */
+    /** Copies the lists and maps. */
     public RouteResults {
+        found = List.copyOf(found);
         proofs = Collections.unmodifiableMap(new LinkedHashMap<>(proofs));
         timely = Collections.unmodifiableMap(new LinkedHashMap<>(timely));
+    }
+
+    /** The route that is least exposed by the search alone, whatever the flights show; empty if none is flown. */
+    public Optional<SectorRoute> leastExposed() {
+        return found.stream()
+                .filter(one -> one.route().seconds() > 0.0)
+                .min(Comparator.comparingDouble(one -> one.route().exposure()));
     }
 
     /**

@@ -102,6 +102,24 @@ final class SearchNotes {
     }
 
     /**
+     * The route that is least exposed by the search alone, if those past what flights have shown have replaced it; empty
+     * if it is among those listed, or is printed like one of them.
+     */
+    Optional<String> replaced(RouteResults results) {
+        List<String> listed = results.survey().routes().stream()
+                .map(route -> RouteNumbers.exposure(route.route().exposure()))
+                .toList();
+        return results.leastExposed()
+                .filter(route ->
+                        !listed.contains(RouteNumbers.exposure(route.route().exposure())))
+                .map(route -> "By the search alone, the least exposed route comes from the " + RouteWords.sector(route)
+                        + ", with a counted exposure of "
+                        + RouteNumbers.exposure(route.route().exposure()) + " ("
+                        + RouteNumbers.percent(route.route().detection())
+                        + "). As flown, the drone is detected less often on the one listed from there.");
+    }
+
+    /**
      * From which sectors less detected routes may exist, which smaller cells may show; empty if there are none but
      * those of which a warning says so.
      */

@@ -23,6 +23,7 @@ import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.LayoutConditions;
@@ -31,12 +32,16 @@ import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.PlaceSettings;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CoveredCells;
+import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.placement.site.PlaceSearch;
+import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.report.placement.RoutePlaceResults;
+import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.search.RoutePath;
 import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
@@ -93,6 +98,18 @@ class WeakestRouteSearchTest {
         if (chosen.isEmpty()) {
             return 0.0;
         }
+        SiteRoutes routes = routes(plan, present, stage, grid, chosen);
+        return IntStream.range(0, SiteRoutes.SECTORS)
+                .mapToObj(routes::from)
+                .flatMap(Optional::stream)
+                .mapToDouble(WeakestRoute::exposure)
+                .min()
+                .orElseThrow();
+    }
+
+    /** The routes past a layout as a scene. */
+    private static SiteRoutes routes(
+            PlacePlan plan, SceneSettings present, Stage stage, FieldGrid grid, List<Integer> chosen) {
         Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
         chosen.stream().map(plan.candidates()::get).forEach(one -> sensors.put(one.name(), one.sensor()));
         var scene = SettingsForm.with(present, Map.of("sensors", sensors, "disabled", Set.of()));
@@ -104,13 +121,7 @@ class WeakestRouteSearchTest {
                 Course.all(sensors, DetectionField.droneOf(stage, plan.drone())),
                 FieldTerms.ONE_LOOK.withPointing(FieldTerms.Turning.SEARCH),
                 cells -> {});
-        SiteRoutes routes = SiteRoutes.of(field, scene, stage, plan.drone());
-        return IntStream.range(0, SiteRoutes.SECTORS)
-                .mapToObj(routes::from)
-                .flatMap(Optional::stream)
-                .mapToDouble(WeakestRoute::exposure)
-                .min()
-                .orElseThrow();
+        return SiteRoutes.of(field, scene, stage, plan.drone());
     }
 
     @ParameterizedTest
@@ -146,9 +157,85 @@ class WeakestRouteSearchTest {
         assertThat(placement.lower()).isBetween(0.0, placement.result().value());
         if (remaining == 0.0) {
             assertFront(plan, exposures);
+            assertPurchases(placement, exposures);
         }
         double promised = exposure(plan, placement, stage, placement.result().chosen());
         assertThat(placement.result().value()).isCloseTo(promised, within(1e-3 * promised));
+    }
+
+    /** Each step states what the sensors so far are worth; of those with one less than the next step, it is the best. */
+    private static void assertPurchases(RoutePlacement placement, double[] exposures) {
+        List<PlaceStep> steps = placement.purchases();
+        List<Integer> chosen = placement.result().chosen();
+        assertThat(steps).hasSameSizeAs(chosen).hasSizeGreaterThan(1);
+        int bought = 0;
+        for (PlaceStep step : steps) {
+            int before = bought;
+            bought |= chosen.stream()
+                    .filter(one -> placement.plan().candidates().get(one).name().equals(step.added()))
+                    .mapToInt(one -> 1 << one)
+                    .sum();
+            int all = bought;
+            double best = chosen.stream()
+                    .filter(one -> (all >> one & 1) == 1)
+                    .mapToDouble(one -> exposures[all & ~(1 << one)])
+                    .max()
+                    .orElseThrow();
+            assertThat(step.value()).isCloseTo(exposures[all], within(0.01 * exposures[all] + 1e-6));
+            assertThat(exposures[before]).isCloseTo(best, within(0.01 * best + 1e-6));
+        }
+    }
+
+    /** A flight of 2 m into the zone, say: whatever the layout is, it is no more exposed than there. */
+    @Test
+    void aRouteThatWasFoundOtherwiseCountsForEachLayout() throws IOException {
+        PlacePlan plan = plan("budget: 4\n");
+        Stage stage = plan.runner().stage(plan.present());
+        RouteLayouts layouts =
+                new WeakestRouteSearch(plan, stage, LayerStore.NONE, new ExactSolver()).assessed(cells -> {});
+        RoutePlacement before = layouts.found(SolverLimits.NONE, round -> {});
+        SiteRoutes all = routes(
+                plan,
+                plan.present(),
+                stage,
+                before.grid(),
+                chosen(plan, (1 << plan.candidates().size()) - 1));
+        RoutePath path = new RoutePath(List.of(new Position(0, 31, 30), new Position(0, 29, 30)), List.of(0));
+        SectorRoute learned = all.describe(0, new WeakestRoute(path, 0.0, 0.0, 2.0 / 12.0));
+        Map<String, Double> exposures = learned.bySensor();
+        assertThat(layouts.holds(before)).isTrue();
+        int known = before.routes();
+
+        layouts.learn(List.of(learned));
+        assertThat(layouts.holds(before)).isFalse();
+        RoutePlacement after = layouts.found(SolverLimits.NONE, round -> {});
+        BudgetFront<RoutePlacement> front =
+                new FrontSearch<>(layouts.cheaper(after)).found(FrontSearch.MOST, SolverLimits.NONE, budget -> {});
+
+        assertThat(after.complete()).isTrue();
+        assertThat(after.routes()).isGreaterThan(known);
+        assertThat(after.weakest().route().path()).isEqualTo(path);
+        assertThat(after.value()).isLessThan(0.5 * before.value()).isPositive();
+        assertThat(layouts.holds(after)).isTrue();
+        for (FrontPoint<RoutePlacement> point : front.points()) {
+            double most = point.layout().chosen().stream()
+                    .mapToDouble(one -> exposures.get(one.name()))
+                    .sum();
+            assertThat(point.layout().value()).isCloseTo(most, within(1e-6 * most));
+            assertThat(layouts.holds(point.layout())).isTrue();
+        }
+        double best = 0.0;
+        for (int choice = 1; choice < 1 << plan.candidates().size(); choice++) {
+            List<Integer> chosen = chosen(plan, choice);
+            double cost = chosen.stream()
+                    .mapToDouble(one -> plan.candidates().get(one).candidate().cost())
+                    .sum();
+            double sum = chosen.stream()
+                    .mapToDouble(one -> exposures.get(plan.candidates().get(one).name()))
+                    .sum();
+            best = cost <= 4.0 ? Math.max(best, sum) : best;
+        }
+        assertThat(after.value()).isCloseTo(best, within(1e-6 * best));
     }
 
     /** Each layout of the front is the best of all for its cost, and there is one as good for each cost. */
