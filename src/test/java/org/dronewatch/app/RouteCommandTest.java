@@ -81,6 +81,7 @@ class RouteCommandTest {
                         "between_cells",
                         "starts_s",
                         "origin",
+                        "least_exposure",
                         "routes",
                         "notes",
                         "warnings",

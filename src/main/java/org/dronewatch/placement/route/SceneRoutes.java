@@ -20,8 +20,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * The weakest known route from each direction past any layout, in the scene as it is or under one of the conditions of a
- * plan. Whatever a route was found for, it is compared with for every layout from then on. Not thread-safe.
+ * The weakest known route from each direction past any layout, in the scene as it is or under one of the conditions of
+ * a plan. Whatever a route was found for, every layout is compared on it from then on. Not thread-safe.
  */
 final class SceneRoutes {
     /** The weakest first; among equals, the fastest. */
@@ -91,8 +91,8 @@ final class SceneRoutes {
     }
 
     /**
-     * The weakest known routes past some of the sensors from each direction, the weakest of all first; they are searched
-     * for unless that was done before.
+     * The weakest known routes past some of the sensors from each direction, the weakest of all first; they are
+     * searched for unless that was done before.
      */
     List<DirectedRoute> past(Set<String> names) {
         Map<Integer, DirectedRoute> weakest = new TreeMap<>();

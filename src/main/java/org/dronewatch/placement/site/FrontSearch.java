@@ -29,7 +29,7 @@ public final class FrontSearch<L extends PlacedLayout> {
     /**
      * A search whose values are printed.
      *
-     * @param text a value as it is printed: of several layouts whose values are printed alike, only the cheapest is kept
+     * @param text a value as it is printed: of several layouts whose values are printed alike, the cheapest is kept
      */
     public FrontSearch(CheaperLayouts<L> layouts, DoubleFunction<String> text) {
         this.layouts = layouts;

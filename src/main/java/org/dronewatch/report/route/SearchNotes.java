@@ -102,8 +102,8 @@ final class SearchNotes {
     }
 
     /**
-     * The route that is least exposed by the search alone, if those past what flights have shown have replaced it; empty
-     * if it is among those listed, or is printed like one of them.
+     * The route that is least exposed by the search alone, if those past what flights have shown have replaced it;
+     * empty if it is among those listed, or is printed like one of them.
      */
     Optional<String> replaced(RouteResults results) {
         List<String> listed = results.survey().routes().stream()

@@ -163,7 +163,7 @@ class WeakestRouteSearchTest {
         assertThat(placement.result().value()).isCloseTo(promised, within(1e-3 * promised));
     }
 
-    /** Each step states what the sensors so far are worth; of those with one less than the next step, it is the best. */
+    /** Each step states what the sensors so far are worth: the most of all with one sensor less than the next step. */
     private static void assertPurchases(RoutePlacement placement, double[] exposures) {
         List<PlaceStep> steps = placement.purchases();
         List<Integer> chosen = placement.result().chosen();
