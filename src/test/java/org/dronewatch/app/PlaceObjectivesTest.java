@@ -164,6 +164,33 @@ class PlaceObjectivesTest {
                                 + " 0.386, was found past other sensors.");
     }
 
+    /** Each radar sees half of the directions: one alone warns of nothing from the others. */
+    @Test
+    void purchasesThatGainNothingUntilAnotherAreNamed() throws IOException {
+        PlacedLayout place = placed(
+                """
+                scene: site.yaml
+                objective: warning-time
+                warning: worst
+                budget: 4
+                candidates:
+                  half:
+                    sensor: {kind: radar, minRange: 1, maxRange: 150, azimuthWidth: 200 deg, elevationWidth: 90 deg, minSpeed: 3 m/s,
+                      budget: {range: 5000, crossSection: 0.01}}
+                    price: 2
+                    places: [[-55, 10, 17]]
+                    aims: 2
+                air: {side: 400 m, cell: 20 m, heights: [12 m, 40 m]}
+                """);
+        String sentence = "The first purchase gains nothing until half-1-";
+
+        assertThat(place.promised().get("chosen")).hasSize(2);
+        assertThat(place.promised().get("value").asDouble()).isPositive();
+        assertThat(place.outcome().out()).contains(sentence);
+        assertThat(Files.readString(directory.resolve("report.html")))
+                .contains(sentence, "Since only the worst case counts, which the first sensors may not improve,");
+    }
+
     @Test
     void theWarningsOfTheLayoutAreThoseOfCoverage() throws IOException {
         PlacedLayout place = place("objective: warning-time\nwarning: mean\n"

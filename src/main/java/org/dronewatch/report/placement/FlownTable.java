@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.dronewatch.placement.route.RoutePlacement;
+import org.dronewatch.placement.route.WeakestRouteSearch;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.route.RouteTable;
 import org.dronewatch.route.SectorRoute;
@@ -115,7 +116,7 @@ final class FlownTable {
         String known = RouteSentences.exposure(best.asItIs());
         return layout.results()
                 .leastExposed()
-                .map(route -> route.route().exposure())
+                .map(route -> Math.min(WeakestRouteSearch.ENOUGH, route.route().exposure()))
                 .filter(found ->
                         best.asItIs() < found && !RouteSentences.exposure(found).equals(known))
                 .map(found -> "A search for routes past the layout finds none with an exposure below "
