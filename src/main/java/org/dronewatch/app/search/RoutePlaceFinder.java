@@ -96,6 +96,7 @@ final class RoutePlaceFinder implements PlaceFinder {
             }
             Optional<FlownLayout> layout = flown.computeIfAbsent(best.result().chosen(), chosen -> past(best));
             if (layout.isPresent()
+                    && !isInterrupted
                     && present.isEmpty()
                     && !task.plan().present().enabledSensors().isEmpty()) {
                 present = flown(best, task.plan().present());

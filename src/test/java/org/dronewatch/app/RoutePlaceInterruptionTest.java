@@ -1,0 +1,87 @@
+package org.dronewatch.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.dronewatch.analysis.field.FieldSite;
+import org.dronewatch.app.Program.Child;
+import org.dronewatch.app.Program.Outcome;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A request to end while the routes past the best layout are searched for and flown: the layout, whole. */
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
+class RoutePlaceInterruptionTest {
+    private static final String PLACEMENT =
+            """
+            scene: site.yaml
+            objective: weakest-route
+            budget: 3
+            candidates:
+              radar:
+                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0.1 m/s,
+                  budget: {range: 130, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                price: 2
+                places: [[0, 90, 4], [0, -95, 4]]
+              small:
+                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.02 Hz, minSpeed: 0.1 m/s,
+                  budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
+                price: 1
+                places: [[0, 0, 4], [-50, -50, 4]]
+            air: {side: 240 m, cell: 40 m, heights: [30 m]}
+            """;
+
+    @TempDir
+    private Path directory;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"layouts and routes past them: done", "detection field: done"})
+    void theLayoutIsWhole(String reached) throws Exception {
+        FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        Files.writeString(directory.resolve("ring.place.yaml"), PLACEMENT);
+        Outcome outcome;
+        try (Child place = Program.start(
+                directory, List.of("-Xmx1g"), "place ring.place.yaml --threads 1 --progress --out .".split(" "))) {
+            awaitText(place.err(), reached);
+            // Not SIGINT, which a build in the background ignores, and with it all that it starts.
+            place.process().destroy();
+            outcome = place.await();
+        }
+        JsonNode json = JsonMapper.builder()
+                .build()
+                .readTree(directory.resolve("place.json").toFile());
+
+        assertThat(outcome.code()).as(outcome.err()).isEqualTo(143);
+        assertThat(outcome.err()).doesNotContain("error").doesNotContain("Exception");
+        assertThat(json.get("complete").asBoolean()).isFalse();
+        assertThat(json.get("chosen")).isNotEmpty();
+        assertThat(json.get("cost").asDouble()).isBetween(1.0, 3.0);
+        assertThat(json.get("value").asDouble()).isPositive();
+        assertThat(json.get("bound").asDouble())
+                .isGreaterThanOrEqualTo(json.get("value").asDouble());
+        assertThat(json.get("route").get("exposure")).isEqualTo(json.get("value"));
+        assertThat(Program.run("check", directory.resolve("layout.yaml").toString())
+                        .code())
+                .isZero();
+        assertThat(directory.resolve("report.html")).content().endsWith("</html>\n");
+    }
+
+    private static void awaitText(Path file, String text) throws IOException, InterruptedException {
+        long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(2);
+        while (!Files.readString(file).contains(text)) {
+            assertThat(System.nanoTime())
+                    .as("%s: %s", text, Files.readString(file))
+                    .isLessThan(end);
+            Thread.sleep(10);
+        }
+    }
+}
