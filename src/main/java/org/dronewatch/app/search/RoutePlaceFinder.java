@@ -49,10 +49,9 @@ final class RoutePlaceFinder implements PlaceFinder {
             while (true) {
                 RoutePlacement best = best();
                 BudgetFront<RoutePlacement> front = task.front(layouts.cheaper(best));
-                Optional<FlownLayout> layout = front.complete() ? layout(front.best()) : Optional.empty();
-                if (!front.complete() || isInterrupted || holds(front)) {
-                    // An interruption may also have ended the check of these figures.
-                    boolean isComplete = front.complete() && !isInterrupted;
+                Optional<FlownLayout> layout = layout(front.best());
+                if (holds(front)) {
+                    boolean isComplete = front.complete() && !isInterrupted();
                     return new RoutePlaceResults(
                             new BudgetFront<>(front.points(), front.tried(), isComplete), layout, present);
                 }
@@ -66,10 +65,8 @@ final class RoutePlaceFinder implements PlaceFinder {
                         .during(
                                 "layouts and routes past them",
                                 round -> layouts.found(task.limits(), tried -> round.accept(1)));
-                if (best.complete()) {
-                    layout(best);
-                }
-                if (!best.complete() || isInterrupted || holds(best)) {
+                layout(best);
+                if (holds(best)) {
                     return best;
                 }
             }
@@ -79,10 +76,15 @@ final class RoutePlaceFinder implements PlaceFinder {
             return front.points().stream().allMatch(point -> holds(point.layout()));
         }
 
+        /** What was interrupted may have cleared the interrupt status of the thread. */
+        private boolean isInterrupted() {
+            return isInterrupted || task.interruption().happened();
+        }
+
         /** Nothing is searched for again after an interruption. */
         private boolean holds(RoutePlacement layout) {
             try {
-                return layouts.holds(layout);
+                return isInterrupted() || layouts.holds(layout);
             } catch (CancellationException e) {
                 isInterrupted = true;
                 return true;
@@ -91,12 +93,13 @@ final class RoutePlaceFinder implements PlaceFinder {
 
         /** The routes past a layout as they are flown, and past the scene's own sensors; all are known afterwards. */
         private Optional<FlownLayout> layout(RoutePlacement best) {
-            if (best.chosen().isEmpty()) {
-                return Optional.empty();
+            List<Integer> chosen = best.result().chosen();
+            if (chosen.isEmpty() || isInterrupted()) {
+                return flown.getOrDefault(chosen, Optional.empty());
             }
-            Optional<FlownLayout> layout = flown.computeIfAbsent(best.result().chosen(), chosen -> past(best));
+            Optional<FlownLayout> layout = flown.computeIfAbsent(chosen, sensors -> past(best));
             if (layout.isPresent()
-                    && !isInterrupted
+                    && !isInterrupted()
                     && present.isEmpty()
                     && !task.plan().present().enabledSensors().isEmpty()) {
                 present = flown(best, task.plan().present());
