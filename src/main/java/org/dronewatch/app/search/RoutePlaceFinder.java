@@ -135,8 +135,10 @@ final class RoutePlaceFinder implements PlaceFinder {
                         task.interruption(),
                         task.shown());
                 RouteResults results = finder.find(
+                        // The modes of the layout search, which the numbers in its routes refer to.
                         FlightMode.of(
-                                settings.individualDrones().get(task.plan().drone())),
+                                settings.individualDrones().get(task.plan().drone()),
+                                task.plan().sensors()),
                         Optional.empty(),
                         0);
                 if (results.isComplete()) {

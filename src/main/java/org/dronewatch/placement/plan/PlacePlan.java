@@ -1,6 +1,7 @@
 package org.dronewatch.placement.plan;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -14,6 +15,7 @@ import org.dronewatch.scene.ConditionedScene;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.scenes.SceneByName;
+import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
@@ -54,6 +56,14 @@ public record PlacePlan(
     public PlacePlan {
         candidates = List.copyOf(candidates);
         conditions = List.copyOf(conditions);
+    }
+
+    /** All sensors that the scene has today, and that a layout may have. */
+    public List<SensorSettings<?>> sensors() {
+        List<SensorSettings<?>> sensors =
+                new ArrayList<>(present.enabledSensors().values());
+        candidates.forEach(candidate -> sensors.add(candidate.sensor()));
+        return sensors;
     }
 
     /**

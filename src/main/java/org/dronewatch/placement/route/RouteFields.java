@@ -63,7 +63,7 @@ final class RouteFields {
         this.stage = stage;
         this.store = store;
         this.drone = DetectionField.droneOf(stage, plan.drone());
-        this.modes = FlightMode.of(drone.settings(), sensors(plan));
+        this.modes = FlightMode.of(drone.settings(), plan.sensors());
         this.grid = grid;
     }
 
@@ -100,14 +100,6 @@ final class RouteFields {
                     + "; there must be at least 2 x 2, and at most " + MOST + " in all");
         }
         return cells;
-    }
-
-    /** All sensors that a layout of the plan, or today's, may have. */
-    private static List<SensorSettings<?>> sensors(PlacePlan plan) {
-        List<SensorSettings<?>> all =
-                new ArrayList<>(plan.present().enabledSensors().values());
-        plan.candidates().forEach(candidate -> all.add(candidate.sensor()));
-        return all;
     }
 
     /** Names of the sensors that are switched off. */
