@@ -9,6 +9,7 @@ import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.CandidateAdvice;
 import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.PossibleLayouts;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CheaperLayouts;
 import org.dronewatch.placement.site.FrontSearch;
@@ -36,9 +37,14 @@ public record PlaceTask(
         int budgets,
         Interruption interruption,
         TaskProgress shown) {
-    /** A task whose stage and store are those of the plan's scene. */
+    /**
+     * A task whose stage and store are those of the plan's scene.
+     *
+     * @throws org.dronewatch.setting.InputException when no layout has the numbers of sensors that the plan asks for
+     */
     public static PlaceTask of(
             PlacePlan plan, SolverLimits limits, int budgets, Interruption interruption, TaskProgress shown) {
+        new PossibleLayouts(plan).check();
         plan.runner().adviseOnConditions();
         Stage stage = plan.runner().stage(plan.present());
         new CandidateAdvice(plan, stage.world()).giveTo(line -> shown.notes().accept("warning: " + line));

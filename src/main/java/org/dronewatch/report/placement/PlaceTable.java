@@ -78,10 +78,16 @@ final class PlaceTable {
                 layout.chosen().stream().anyMatch(sensor -> !sensor.candidate().fixed());
         return isBought || layout.plan().settings().budget() == 0.0 || !layout.complete()
                 ? Optional.empty()
-                : Optional.of(unaffordable()
-                        .or(this::unreachable)
-                        .orElse("Buying nothing would do as well: no layout within the budget was found that gains"
-                                + " anything."));
+                : Optional.of(unaffordable().orElseGet(this::useless));
+    }
+
+    /** That no layout gains anything, in a sentence which names the fold, a likely cause. */
+    private String useless() {
+        int fold = layout.plan().settings().conditions().fold();
+        boolean isProven = layout.bound() <= layout.value();
+        return "Buying nothing would do as well: " + (fold > 1 ? "with a conditions.fold of " + fold + ", " : "")
+                + "no layout within the budget "
+                + (isProven && fold > 1 ? "gains anything." : "was found that gains anything.");
     }
 
     /** Until which purchase nothing is gained, in a sentence; empty if the first one gains something. */
@@ -108,31 +114,6 @@ final class PlaceTable {
                 .filter(cheapest -> cheapest.cost() > budget)
                 .map(cheapest -> "No sensor is affordable: the cheapest, " + cheapest.name() + ", costs "
                         + Numbers.text(cheapest.cost()) + ", and the budget is " + Numbers.text(budget) + ".");
-    }
-
-    /** That a layout cannot have as many sensors as must cover a place together, in a sentence; empty if it can. */
-    private Optional<String> unreachable() {
-        int fold = layout.plan().settings().conditions().fold();
-        int most = mostSensors();
-        return fold > most
-                ? Optional.of("No layout can gain anything: conditions.fold asks for " + fold
-                        + " sensors at once, and the budget allows a layout of at most " + most + ".")
-                : Optional.empty();
-    }
-
-    /** What the budget buys if the cheapest sensors are bought, with those that are kept. */
-    private int mostSensors() {
-        double left = layout.plan().settings().budget();
-        int most = 0;
-        List<Candidate> byCost = layout.plan().candidates().stream()
-                .map(SiteCandidate::candidate)
-                .sorted(Comparator.comparingDouble(one -> one.fixed() ? 0.0 : one.cost()))
-                .toList();
-        for (Candidate one : byCost) {
-            left -= one.fixed() ? 0.0 : one.cost();
-            most += left >= 0.0 ? 1 : 0;
-        }
-        return most;
     }
 
     /** What the scene's own sensors achieve, in a sentence; empty if it has none. */
