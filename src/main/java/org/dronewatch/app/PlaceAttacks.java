@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.app.console.Interruption;
+import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.app.option.PathWord;
 import org.dronewatch.app.option.ShellWord;
 import org.dronewatch.campaign.CampaignPlan;
@@ -13,11 +15,13 @@ import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignScenes;
 import org.dronewatch.campaign.CampaignSettings;
+import org.dronewatch.campaign.CaseExecution;
 import org.dronewatch.campaign.SummedCases;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.Layout;
 import org.dronewatch.report.placement.AttackedPlaceResults;
 import org.dronewatch.report.placement.PlaceResults;
+import org.dronewatch.report.placement.UnattackedPlaceResults;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.GivenScene;
 import org.dronewatch.setting.InputException;
@@ -120,13 +124,23 @@ final class PlaceAttacks {
      *
      * @param seed in place of the one in the campaign file
      * @param overrides of settings of the scene
-     * @return the results with those of the attacks; without them if none are asked for, or if they cannot be flown
+     * @return the results with those of the attacks; without them if none are asked for, if they cannot be flown, or
+     *     after an interruption
      */
-    PlaceResults flown(PlaceResults results, Optional<Long> seed, List<String> overrides, CaseRuns runner) {
+    PlaceResults flown(
+            PlaceResults results,
+            Optional<Long> seed,
+            List<String> overrides,
+            Interruption interruption,
+            TaskProgress shown) {
         PlacePlan plan = results.best().plan();
-        if (file == null || !results.complete() || results.best().chosen().isEmpty()) {
+        if (file == null || results.best().chosen().isEmpty()) {
             return results;
         }
+        if (interruption.happened() || results.isInterrupted()) {
+            return new UnattackedPlaceResults(results);
+        }
+        CaseRuns runner = new CaseRuns(interruption, shown, CaseExecution.HERE);
         SceneSettings layout;
         try {
             layout = Layout.of(plan, results.best().chosen());

@@ -11,6 +11,7 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.app.console.ProgressOptions;
 import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.app.option.FieldOptions;
+import org.dronewatch.app.option.GivenOption;
 import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.PathWord;
 import org.dronewatch.app.option.SeedOption;
@@ -19,7 +20,6 @@ import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.app.search.PlaceFinder;
 import org.dronewatch.app.search.PlaceTask;
-import org.dronewatch.campaign.CaseExecution;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.FrontSearch;
@@ -30,6 +30,7 @@ import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.Quantity;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -57,6 +58,8 @@ import picocli.CommandLine.Spec;
 final class PlaceCommand implements Callable<Integer> {
     private static final double DEFAULT_GAP = 0.001;
     private static final double DEAREST = 1e12;
+    private static final double LEAST_TIME = 1e-3;
+    private static final double MOST_TIME = 1e6;
 
     @Parameters(
             index = "0",
@@ -80,6 +83,14 @@ final class PlaceCommand implements Callable<Integer> {
                     "Ends the search once no layout can exceed the value of the best so far by more than this fraction"
                             + " of it, 0 to 1; 0.001 by default; 0 proves that the best is optimal.")
     private double gap = DEFAULT_GAP;
+
+    @Option(
+            names = "--time",
+            paramLabel = "S",
+            description = "Ends the search this long after the candidates have been assessed, with a unit or in s: the"
+                    + " best layout so far is then stated with a bound; no limit by default. The result depends on the"
+                    + " machine.")
+    private String time;
 
     @Option(
             names = "--budgets",
@@ -136,14 +147,8 @@ final class PlaceCommand implements Callable<Integer> {
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
                 attacks.check(plan, seed.number());
-                PlaceResults found = results(given, plan, limits, shown);
-                PlaceResults results = main.interruption().happened()
-                        ? found
-                        : attacks.flown(
-                                found,
-                                seed.number(),
-                                overrides,
-                                new CaseRuns(main.interruption(), shown, CaseExecution.HERE));
+                PlaceResults results = attacks.flown(
+                        results(given, plan, limits, shown), seed.number(), overrides, main.interruption(), shown);
                 main.interruption().letFinish();
                 if (target != null) {
                     target.write(results, provenance(given, plan), threads.number(), shown.notes());
@@ -166,7 +171,7 @@ final class PlaceCommand implements Callable<Integer> {
                 target.println(its.sentence());
             });
         });
-        if (!results.complete()) {
+        if (results.isInterrupted()) {
             err.println(
                     attacked.isPresent()
                             ? "interrupted: these are the results of the attacks that were complete"
@@ -177,8 +182,8 @@ final class PlaceCommand implements Callable<Integer> {
     }
 
     private PlaceResults results(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
-        PlaceTask task = PlaceTask.of(plan, limits, budgets, main.interruption(), shown);
         try {
+            PlaceTask task = PlaceTask.of(plan, limits, budgets, main.interruption(), shown);
             return PlaceFinder.of(plan.settings().objective()).find(task);
         } catch (InputException e) {
             throw PlacePlan.placed(given, e);
@@ -195,8 +200,21 @@ final class PlaceCommand implements Callable<Integer> {
         if (budgets < 1 || budgets > FrontSearch.MOST) {
             throw new InputException("--budgets " + budgets + ": must be 1 to " + FrontSearch.MOST);
         }
-        return new SolverLimits(
-                gap, Double.POSITIVE_INFINITY, () -> main.interruption().happened());
+        return new SolverLimits(gap, time == null ? Double.POSITIVE_INFINITY : seconds(time), () -> main.interruption()
+                .happened());
+    }
+
+    private static double seconds(String text) {
+        double seconds;
+        try {
+            seconds = Quantity.DURATION.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(GivenOption.words("--time", text) + ": " + e.getMessage(), e);
+        }
+        if (!(seconds >= LEAST_TIME && seconds <= MOST_TIME)) {
+            throw new InputException(GivenOption.words("--time", text) + ": must be 0.001 to 1,000,000 s");
+        }
+        return seconds;
     }
 
     private void configure(SceneRunner runner) {

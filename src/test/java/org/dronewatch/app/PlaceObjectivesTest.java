@@ -115,7 +115,7 @@ class PlaceObjectivesTest {
                     price: 1
                     places: [[15, 30, 4]]
                   radar:
-                    sensor: {kind: radar, minRange: 1, maxRange: 300, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 3 m/s,
+                    sensor: {kind: radar, minRange: 1, maxRange: 300, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0 m/s,
                       budget: {range: 90, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
                     price: 2
                     places: [[-63, -1, 6], [-46, -62, 3]]

@@ -23,7 +23,7 @@ final class CoveragePlaceFinder implements PlaceFinder {
         BudgetFront<SitePlacement> front = task.front(new CheaperCoverage(best, cells, task.solver()));
         int sensors = front.best().chosen().size()
                 + task.plan().present().enabledSensors().size();
-        Optional<LayoutFields> fields = best.complete()
+        Optional<LayoutFields> fields = !task.interruption().happened()
                 ? task.during(
                         "coverage of the layout",
                         cells.looks(sensors),

@@ -38,7 +38,9 @@ final class RoutePlaceFinder implements PlaceFinder {
         private final Map<List<Integer>, Optional<FlownLayout>> flown = new HashMap<>();
 
         private Optional<FlownLayout> present = Optional.empty();
-        private boolean isInterrupted;
+
+        /** Whether an interruption has left out something. */
+        private boolean isCut;
 
         Search(PlaceTask task, RouteLayouts layouts) {
             this.task = task;
@@ -47,13 +49,12 @@ final class RoutePlaceFinder implements PlaceFinder {
 
         RoutePlaceResults results() {
             while (true) {
+                boolean isLast = isTimeOver();
                 RoutePlacement best = best();
                 BudgetFront<RoutePlacement> front = task.front(layouts.cheaper(best));
                 Optional<FlownLayout> layout = layout(front.best());
-                if (holds(front)) {
-                    boolean isComplete = front.complete() && !isInterrupted();
-                    return new RoutePlaceResults(
-                            new BudgetFront<>(front.points(), front.tried(), isComplete), layout, present);
+                if (isLast || holds(front)) {
+                    return new RoutePlaceResults(front, layout, present, isCut);
                 }
             }
         }
@@ -61,32 +62,41 @@ final class RoutePlaceFinder implements PlaceFinder {
         /** The best layout, with the routes past it known as they are flown. */
         private RoutePlacement best() {
             while (true) {
+                // Once the time is over, the layouts found are compared on all routes known, and no others are looked
+                // for.
+                boolean isLast = isTimeOver();
                 RoutePlacement best = task.shown()
                         .during(
                                 "layouts and routes past them",
                                 round -> layouts.found(task.limits(), tried -> round.accept(1)));
                 layout(best);
-                if (holds(best)) {
+                if (isLast || holds(best)) {
                     return best;
                 }
             }
+        }
+
+        private boolean isTimeOver() {
+            return task.limits().end().isTimeOver();
         }
 
         private boolean holds(BudgetFront<RoutePlacement> front) {
             return front.points().stream().allMatch(point -> holds(point.layout()));
         }
 
-        /** What was interrupted may have cleared the interrupt status of the thread. */
-        private boolean isInterrupted() {
-            return isInterrupted || task.interruption().happened();
+        /** Whether something has to be left out, since the user wants the end. */
+        private boolean cuts() {
+            // What was interrupted may have cleared the interrupt status of the thread.
+            isCut |= task.interruption().happened();
+            return isCut;
         }
 
         /** Nothing is searched for again after an interruption. */
         private boolean holds(RoutePlacement layout) {
             try {
-                return isInterrupted() || layouts.holds(layout);
+                return isCut || layouts.holds(layout);
             } catch (CancellationException e) {
-                isInterrupted = true;
+                isCut = true;
                 return true;
             }
         }
@@ -94,14 +104,17 @@ final class RoutePlaceFinder implements PlaceFinder {
         /** The routes past a layout as they are flown, and past the scene's own sensors; all are known afterwards. */
         private Optional<FlownLayout> layout(RoutePlacement best) {
             List<Integer> chosen = best.result().chosen();
-            if (chosen.isEmpty() || isInterrupted()) {
-                return flown.getOrDefault(chosen, Optional.empty());
+            if (chosen.isEmpty()) {
+                return Optional.empty();
             }
-            Optional<FlownLayout> layout = flown.computeIfAbsent(chosen, sensors -> past(best));
+            if (!flown.containsKey(chosen) && !cuts()) {
+                flown.put(chosen, past(best));
+            }
+            Optional<FlownLayout> layout = flown.getOrDefault(chosen, Optional.empty());
             if (layout.isPresent()
-                    && !isInterrupted()
                     && present.isEmpty()
-                    && !task.plan().present().enabledSensors().isEmpty()) {
+                    && !task.plan().present().enabledSensors().isEmpty()
+                    && !cuts()) {
                 present = flown(best, task.plan().present());
             }
             return layout;
@@ -144,11 +157,11 @@ final class RoutePlaceFinder implements PlaceFinder {
                 if (results.isComplete()) {
                     layouts.learn(results.found());
                 } else {
-                    isInterrupted = true;
+                    isCut = true;
                 }
                 return Optional.of(new FlownLayout(inputs, results));
             } catch (CancellationException e) {
-                isInterrupted = true;
+                isCut = true;
                 return Optional.empty();
             }
         }

@@ -21,7 +21,7 @@ final class WarningPlaceFinder implements PlaceFinder {
         BudgetFront<WarningPlacement> front = task.front(new CheaperWarnings(best, task.solver()));
         int sensors = front.best().chosen().size()
                 + task.plan().present().enabledSensors().size();
-        Optional<LayoutWarnings> warnings = best.complete()
+        Optional<LayoutWarnings> warnings = !task.interruption().happened()
                 ? task.during(
                         "warnings of the layout",
                         search.looks(sensors),

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.function.IntConsumer;
+import java.util.stream.Stream;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.SiteCandidate;
 
@@ -26,6 +27,10 @@ final class BudgetTrials<L extends PlacedLayout> {
     private final IntConsumer progress;
     private final NavigableMap<Double, L> found = new ConcurrentSkipListMap<>();
     private final NavigableSet<Double> infeasible = new ConcurrentSkipListSet<>();
+
+    /** Those that are to be tried, or were, without an answer so far. */
+    private final NavigableSet<Double> unknown = new ConcurrentSkipListSet<>();
+
     private volatile boolean isStopped;
     private Optional<L> nothing = Optional.empty();
 
@@ -65,11 +70,12 @@ final class BudgetTrials<L extends PlacedLayout> {
             attempt(BudgetSteps.between(sums, had, most - found.size()));
         }
         if (limit > 0.0 && !isStopped) {
-            nothing = layouts.within(0.0, limits);
+            nothing = unlessStopped(0.0);
         }
     }
 
     private void attempt(List<Double> budgets) {
+        unknown.addAll(budgets);
         layouts.forEach(
                 budgets.size(), at -> within(budgets.get(at)).ifPresent(layout -> add(budgets.get(at), layout)));
     }
@@ -81,13 +87,22 @@ final class BudgetTrials<L extends PlacedLayout> {
 
     /** The best layout; if there is none, the budget counts as infeasible unless the search was stopped. */
     private Optional<L> within(double budget) {
-        Optional<L> layout = layouts.within(budget, limits);
-        if (layout.isEmpty()) {
-            if (limits.isStopped().getAsBoolean()) {
-                isStopped = true;
-            } else {
-                infeasible.add(budget);
-            }
+        unknown.add(budget);
+        Optional<L> layout = unlessStopped(budget);
+        if (layout.isEmpty() && !isStopped) {
+            infeasible.add(budget);
+        }
+        if (layout.isPresent() || infeasible.contains(budget)) {
+            unknown.remove(budget);
+        }
+        return layout;
+    }
+
+    /** The best layout; empty if there is none, or the search is stopped. */
+    private Optional<L> unlessStopped(double budget) {
+        Optional<L> layout = limits.end().isDue() ? Optional.empty() : layouts.within(budget, limits);
+        if (layout.isEmpty() && limits.end().isDue()) {
+            isStopped = true;
         }
         return layout;
     }
@@ -106,7 +121,7 @@ final class BudgetTrials<L extends PlacedLayout> {
             to = layout.isPresent() ? middle : to;
             from = layout.isPresent() ? from : middle + 1;
         }
-        if (cheapest.isPresent() && !isStopped) {
+        if (cheapest.isPresent()) {
             add(between.get(to), cheapest.get());
         }
     }
@@ -126,11 +141,14 @@ final class BudgetTrials<L extends PlacedLayout> {
         boolean isEach = BudgetSteps.isWhole(sums)
                 && sums.stream()
                         .allMatch(sum -> found.containsKey(sum) || !infeasible.isEmpty() && sum <= infeasible.last());
-        return new TriedBudgets(1 + found.size() + infeasible.size(), List.copyOf(infeasible), isEach);
+        return new TriedBudgets(
+                1 + found.size() + infeasible.size(), List.copyOf(infeasible), List.copyOf(unknown), isEach);
     }
 
-    /** Whether the search was stopped before a layout was found for some budget. */
-    boolean isStopped() {
-        return isStopped;
+    /** Whether each budget has its answer, and the search for each layout ran to completion. */
+    boolean isWhole() {
+        return !isStopped
+                && unknown.isEmpty()
+                && Stream.concat(found.values().stream(), nothing.stream()).allMatch(PlacedLayout::complete);
     }
 }

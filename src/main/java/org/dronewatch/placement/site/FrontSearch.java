@@ -39,7 +39,7 @@ public final class FrontSearch<L extends PlacedLayout> {
 
     /**
      * Finds a layout for each budget on the {@link org.dronewatch.parallel.Workers} of the calling thread; the result
-     * does not depend on their number.
+     * does not depend on their number, unless the searches are stopped.
      *
      * @param budgets maximum number of budgets, including the whole budget, 1 to {@link #MOST}: those for which no
      *     layout complies with the conditions do not count
@@ -47,20 +47,31 @@ public final class FrontSearch<L extends PlacedLayout> {
      */
     public BudgetFront<L> found(int budgets, SolverLimits limits, IntConsumer progress) {
         BudgetTrials<L> trials = new BudgetTrials<>(layouts, limits, progress);
-        boolean isWhole = best.complete();
+        boolean isCancelled = false;
         try {
-            if (isWhole) {
+            if (best.complete()) {
                 trials.run(budgets - 1);
             }
         } catch (CancellationException e) {
-            isWhole = false;
+            isCancelled = true;
         }
         List<L> found = new ArrayList<>(trials.found().values());
         List<Double> asked = new ArrayList<>(trials.found().keySet());
-        isWhole &= !trials.isStopped() && found.stream().allMatch(PlacedLayout::complete);
+        boolean isCheaperWhole = best.complete() && !isCancelled && trials.isWhole();
         found.add(best);
         asked.add(best.plan().settings().budget());
-        return new BudgetFront<>(points(bounded(found), asked, trials.nothing(), limits), trials.tried(), isWhole);
+        List<FrontPoint<L>> points = points(bounded(found), asked, trials.nothing(), limits);
+        boolean isWhole =
+                isCheaperWhole && points.get(points.size() - 1).layout().complete();
+        boolean isOutOfTime = !isWhole
+                && !isCancelled
+                && !limits.end().isStopped()
+                && limits.end().isTimeOver();
+        Optional<TimeStop> stopped = isOutOfTime
+                ? Optional.of(new TimeStop(
+                        limits.end().seconds(), limits.gap(), best.complete(), budgets > 1 && !isCheaperWhole))
+                : Optional.empty();
+        return new BudgetFront<>(points, trials.tried(), isWhole, stopped);
     }
 
     /** A bound for more money holds for less, too. */

@@ -58,11 +58,13 @@ public final class PlaceSearch {
         Assessed air = assess(progress);
         assessed.run();
         PlacementProblem problem = problem(air.columns());
-        PlacementResult result = solver.solve(problem, air.isWhole() ? limits : limits.afterInterruption())
+        PlacementResult result = solver.solve(problem, limits)
                 .orElseThrow(() -> air.isWhole() ? limits.none(this::impossible) : new CancellationException());
         // What was not assessed could cover everything.
         double bound = air.isWhole() ? result.bound() : cells.size();
-        boolean isComplete = air.isWhole() && result.complete();
+        boolean isComplete = air.isWhole()
+                && result.complete()
+                && (air.present().isPresent() || plan.present().enabledSensors().isEmpty());
         return new SitePlacement(
                 plan,
                 cells.grid(),

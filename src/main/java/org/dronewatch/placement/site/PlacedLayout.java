@@ -26,7 +26,7 @@ public interface PlacedLayout {
     /** The scene's own sensors; empty if it has none, or if the search was interrupted before they were assessed. */
     Optional<PresentLayout> present();
 
-    /** Whether every candidate was assessed and the search ran to completion. */
+    /** Whether every candidate and the scene's own sensors were assessed, and the search ran to completion. */
     boolean complete();
 
     /** The number of candidates that were assessed: all of them, unless the search was interrupted. */

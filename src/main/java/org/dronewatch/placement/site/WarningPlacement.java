@@ -32,7 +32,7 @@ import org.dronewatch.placement.plan.WarningMeasure;
  * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
  *     before they were assessed
- * @param complete whether every candidate was assessed and the search ran to completion
+ * @param complete whether every candidate and the scene's own sensors were assessed, and the search ran to completion
  */
 public record WarningPlacement(
         PlacePlan plan,

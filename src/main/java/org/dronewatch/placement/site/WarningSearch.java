@@ -73,10 +73,10 @@ public final class WarningSearch {
         assessed.run();
         double longest = ConditionedFlights.longest(warnings.get(0));
         PlacementProblem problem = problem(warnings, longest);
-        PlacementResult result = solver.solve(problem, isWhole ? limits : limits.afterInterruption())
+        PlacementResult result = solver.solve(problem, limits)
                 .orElseThrow(() -> isWhole ? limits.none(this::impossible) : new CancellationException());
         double bound = isWhole ? result.bound() : isWorst ? 0.0 : longest;
-        boolean isComplete = isWhole && result.complete();
+        boolean isComplete = isWhole && result.complete() && (present.isPresent() || own.isEmpty());
         return new WarningPlacement(
                 plan,
                 flights.grid(),

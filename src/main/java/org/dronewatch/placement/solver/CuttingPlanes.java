@@ -74,13 +74,15 @@ public final class CuttingPlanes {
     }
 
     /**
-     * The best layout that is found within some limits; an interruption of this thread also ends the search, and its
-     * interrupt status is kept. Empty if no layout complies.
+     * The best layout that is found within some limits, whose time all rounds share; the oracle's answer on a layout is
+     * awaited, and a first layout is tried even if the time is over. An interruption of this thread also ends the
+     * search, and its interrupt status is kept. Empty if no layout complies, or none was found in time.
      *
      * @param round receives the number of layouts that have been given to the oracle so far
-     * @throws CancellationException when the search is ended before the oracle has answered for the first layout
+     * @throws CancellationException when the user ends the search before the oracle has answered for the first layout
      */
     public Optional<CutResult> solve(SolverLimits limits, IntConsumer round) {
+        limits.end().begin();
         Search search = new Search(limits);
         if (known.rows().isEmpty()) {
             search.cut(fixed());
@@ -129,11 +131,11 @@ public final class CuttingPlanes {
 
         void run(IntConsumer round) {
             double gap = Math.max(EARLY_GAP, limits.gap());
-            while (!isProven && !isInterrupted && !limits.isStopped().getAsBoolean()) {
+            while (!isProven && !isInterrupted && !isEnded()) {
                 Optional<PlacementResult> best = solver.solve(rows.problem(bound), limits.withGap(gap));
                 if (best.isEmpty()) {
-                    // No layout complies even with the rows known so far, unless the search was stopped.
-                    isProven = !limits.isStopped().getAsBoolean();
+                    // No layout complies even with the rows known so far, unless the search has ended early.
+                    isProven = !limits.end().isDue();
                     return;
                 }
                 bound = Math.min(bound, best.get().bound());
@@ -145,9 +147,14 @@ public final class CuttingPlanes {
                 }
                 double value = rows.best(layouts).map(this::value).orElse(Double.NEGATIVE_INFINITY);
                 // What the oracle cannot cut in an accurately solved round is the best.
-                isProven = bound <= value * (1.0 + limits.gap()) || !isNew && gap <= limits.gap();
+                boolean isAccurate = gap <= limits.gap() && best.get().complete();
+                isProven = bound <= value * (1.0 + limits.gap()) || !isNew && isAccurate;
                 gap = isNew ? gap : limits.gap();
             }
+        }
+
+        private boolean isEnded() {
+            return limits.end().isStopped() || limits.end().isTimeOver() && !layouts.isEmpty();
         }
 
         private void cutUnlessInterrupted(List<Integer> layout) {
@@ -166,7 +173,7 @@ public final class CuttingPlanes {
 
         Optional<CutResult> result() {
             PlacementProblem problem = rows.problem(enough);
-            if (layouts.isEmpty() && !isProven) {
+            if (layouts.isEmpty() && (isInterrupted || limits.end().isStopped()) && !isProven) {
                 throw new CancellationException("ended before the first layout was compared with routes");
             }
             return rows.best(layouts).map(layout -> {

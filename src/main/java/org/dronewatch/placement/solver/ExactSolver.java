@@ -10,21 +10,18 @@ import java.util.stream.IntStream;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SearchEnd;
 import org.dronewatch.placement.SolverLimits;
 
 /**
  * Begins with a greedy choice and swaps, then proves which layout is best by branch and bound with Lagrangian
  * relaxation or, for the worst impact, by bisection over its levels. The result depends only on the problem and the
- * gap, unless a time limit ends the search. Thread-safe.
+ * gap, unless a time limit or the user ends the search. Thread-safe.
  */
 public final class ExactSolver implements PlacementSolver {
-    private static final double NANOS = 1e-9;
-
     @Override
     public Optional<PlacementResult> solve(PlacementProblem problem, SolverLimits limits) {
-        long begun = System.nanoTime();
-        BooleanSupplier isStopped =
-                () -> limits.isStopped().getAsBoolean() || NANOS * (System.nanoTime() - begun) > limits.seconds();
+        limits.end().begin();
         Gains gains = new Gains(problem);
         OptionalDouble needed = problem.conditions().anyoneLost().isPresent()
                 ? OptionalDouble.of(
@@ -32,7 +29,7 @@ public final class ExactSolver implements PlacementSolver {
                 : OptionalDouble.empty();
         Incumbent incumbent = new Incumbent(gains, new Rules(problem), needed);
         Cutoff cutoff = new Cutoff(gains, incumbent, limits.gap());
-        double open = search(gains, incumbent, cutoff, needed, isStopped);
+        double open = search(gains, incumbent, cutoff, needed, limits.end());
         if (!incumbent.isFound()) {
             return Optional.empty();
         }
@@ -45,16 +42,16 @@ public final class ExactSolver implements PlacementSolver {
 
     /** The greatest bound of what is left when the search is stopped, negative infinity if nothing is. */
     private static double search(
-            Gains gains, Incumbent incumbent, Cutoff cutoff, OptionalDouble needed, BooleanSupplier isStopped) {
+            Gains gains, Incumbent incumbent, Cutoff cutoff, OptionalDouble needed, SearchEnd end) {
+        BooleanSupplier isStopped = () -> end.isDue() && (incumbent.isFound() || end.isGraceOver());
         if (gains.form == Gains.Form.BEST_LEAST) {
-            Start start = new Start(gains, incumbent, new Grace(isStopped));
+            Start start = new Start(gains, incumbent, end::isGraceOver);
             return new LevelSearch(gains, incumbent, cutoff, needed, start, isStopped).search();
         }
         Gains summed = gains.form == Gains.Form.LEAST_SUM
                 ? gains.weighted(new GroupWeights(gains, incumbent, isStopped).found())
                 : gains;
-        return new BranchAndBound(
-                        summed, incumbent, cutoff, new Start(summed, incumbent, new Grace(isStopped)), isStopped)
+        return new BranchAndBound(summed, incumbent, cutoff, new Start(summed, incumbent, end::isGraceOver), isStopped)
                 .search();
     }
 

@@ -35,7 +35,7 @@ final class GroupWeights {
 
     /** The weights; 1 in all. Offers the choices that they lead to. */
     double[] found() {
-        for (int group = 0; group < gains.groups && gains.groups > 1; group++) {
+        for (int group = 0; group < gains.groups && gains.groups > 1 && !isStopped.getAsBoolean(); group++) {
             double[] alone = new double[gains.groups];
             alone[group] = 1.0;
             tried(alone);
@@ -82,7 +82,9 @@ final class GroupWeights {
     private int[] chosen(Gains summed, boolean byCost) {
         Rules rules = incumbent.rules();
         int[] greedy = new LazyGreedy(summed, rules, byCost).extended(rules.fixed);
-        return gains.fold == 1 && incumbent.isLegal(greedy) ? new Interchange(summed, rules).swapped(greedy) : greedy;
+        return gains.fold == 1 && incumbent.isLegal(greedy)
+                ? new Interchange(summed, rules, isStopped).swapped(greedy)
+                : greedy;
     }
 
     private static double weighted(double[] weights, double[] sums) {

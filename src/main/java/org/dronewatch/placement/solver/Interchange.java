@@ -1,6 +1,7 @@
 package org.dronewatch.placement.solver;
 
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /**
  * Swaps a chosen candidate for another as long as the sum of the rows' best gains increases. The best and second best
@@ -14,6 +15,7 @@ final class Interchange {
     private final Gains gains;
     private final Rules rules;
     private final Tally tally;
+    private final BooleanSupplier isStopped;
     private final double[] best;
     private final double[] second;
 
@@ -26,21 +28,23 @@ final class Interchange {
     private double[] saved;
     private int[] chosen;
 
-    Interchange(Gains gains, Rules rules) {
+    Interchange(Gains gains, Rules rules, BooleanSupplier isStopped) {
         this.gains = gains;
         this.rules = rules;
+        this.isStopped = isStopped;
         this.tally = new Tally(rules);
         best = new double[gains.rowCount()];
         second = new double[gains.rowCount()];
         owner = new int[gains.rowCount()];
     }
 
-    /** The choice from which no swap leads to a better one. */
+    /** The choice from which no swap leads to a better one; if it is stopped, what it has come to. */
     int[] swapped(int[] start) {
         chosen = start.clone();
         loss = new double[chosen.length];
         saved = new double[chosen.length];
-        for (boolean isBetter = swap(); isBetter; ) {
+        boolean isBetter = true;
+        while (isBetter && !isStopped.getAsBoolean()) {
             isBetter = swap();
         }
         return chosen.clone();

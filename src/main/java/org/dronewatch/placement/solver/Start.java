@@ -40,7 +40,8 @@ final class Start {
         if (isQuick && !isStopped.getAsBoolean() && incumbent.isLegal(chosen)) {
             Rules rules = incumbent.rules();
             int[] more = new LazyGreedy(gains, rules, false).extended(chosen);
-            incumbent.offer(new LazyGreedy(gains, rules, false).extended(new Interchange(gains, rules).swapped(more)));
+            incumbent.offer(new LazyGreedy(gains, rules, false)
+                    .extended(new Interchange(gains, rules, isStopped).swapped(more)));
         }
     }
 

@@ -25,16 +25,14 @@ import tools.jackson.databind.node.ObjectNode;
  */
 public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, CampaignResult result, String again)
         implements PlaceResults {
-    private static final String COMPLETE = "complete";
-
     @Override
     public BudgetFront<? extends PlacedLayout> front() {
         return found.front();
     }
 
     @Override
-    public boolean complete() {
-        return found.complete() && result.stopping().isReached();
+    public boolean isInterrupted() {
+        return found.isInterrupted() || !result.stopping().isReached();
     }
 
     @Override
@@ -53,8 +51,8 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
     public ObjectNode toJson() {
         ObjectNode root = found.toJson();
         root.set("campaign", new CampaignFile(plan, result).toJson());
-        root.remove(COMPLETE);
-        root.put(COMPLETE, complete());
+        root.remove(PlaceFile.COMPLETE);
+        root.put(PlaceFile.COMPLETE, complete());
         return root;
     }
 

@@ -25,10 +25,8 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
     }
 
     @Override
-    public boolean complete() {
-        return best().complete()
-                && front.complete()
-                && (fields.isPresent() || best().chosen().isEmpty());
+    public boolean isInterrupted() {
+        return front.isInterrupted() || fields.isEmpty() && !best().chosen().isEmpty();
     }
 
     @Override

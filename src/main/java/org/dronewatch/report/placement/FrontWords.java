@@ -2,7 +2,6 @@ package org.dronewatch.report.placement;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.FrontPoint;
@@ -34,7 +33,8 @@ final class FrontWords {
         List<String> lines = new ArrayList<>();
         List<? extends FrontPoint<? extends PlacedLayout>> points = front.points();
         if (points.size() < 2) {
-            infeasible(front.tried(), Numbers::text).ifPresent(lines::add);
+            lines.addAll(unanswered(front.tried(), Numbers::text));
+            front.stopped().map(TimeStopWords::sentence).ifPresent(lines::add);
             return lines;
         }
         lines.add("");
@@ -52,6 +52,7 @@ final class FrontWords {
             before = point.cost();
         }
         lines.addAll(tried(front.tried(), Numbers::text));
+        front.stopped().map(TimeStopWords::sentence).ifPresent(lines::add);
         return lines;
     }
 
@@ -62,17 +63,26 @@ final class FrontWords {
             sentences.add(
                     Counted.of(tried.count(), "budget") + " were tried: a better buy may lie between two of them.");
         }
-        infeasible(tried, money).ifPresent(sentences::add);
+        sentences.addAll(unanswered(tried, money));
         return sentences;
     }
 
-    /** The budgets that are too low for the conditions, in a sentence; empty if there are none. */
-    private static Optional<String> infeasible(TriedBudgets tried, DoubleFunction<String> money) {
-        return tried.infeasible().isEmpty()
-                ? Optional.empty()
-                : Optional.of("No layout complies with the conditions for these budgets, which were also tried: "
-                        + PlainText.list(
-                                tried.infeasible().stream().map(money::apply).toList()) + ".");
+    /** The budgets that are too low for the conditions, and those that may be, in sentences. */
+    private static List<String> unanswered(TriedBudgets tried, DoubleFunction<String> money) {
+        List<String> sentences = new ArrayList<>();
+        if (!tried.infeasible().isEmpty()) {
+            sentences.add("No layout complies with the conditions for these budgets, which were also tried: "
+                    + list(tried.infeasible(), money) + ".");
+        }
+        if (!tried.unknown().isEmpty()) {
+            sentences.add("The search ended before it found a layout for these budgets, so it is not known whether one"
+                    + " complies with the conditions: " + list(tried.unknown(), money) + ".");
+        }
+        return sentences;
+    }
+
+    private static String list(List<Double> budgets, DoubleFunction<String> money) {
+        return PlainText.list(budgets.stream().map(money::apply).toList());
     }
 
     /** {@code radar-2 in place of radio-1; closes the west at 30 to 60 m (12.0 % before, 98.1 % now)}. */

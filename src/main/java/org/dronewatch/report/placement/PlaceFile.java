@@ -16,6 +16,9 @@ import tools.jackson.databind.node.ObjectNode;
 
 /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
 final class PlaceFile {
+    /** Whether nothing was left out. */
+    static final String COMPLETE = "complete";
+
     private PlaceFile() {}
 
     /**
@@ -58,7 +61,8 @@ final class PlaceFile {
         }
         tried(root.putObject("budgets"), results.front().tried());
         more.accept(root);
-        root.put("complete", results.complete());
+        results.front().stopped().ifPresent(stop -> TimeStopWords.add(root, stop));
+        root.put(COMPLETE, results.complete());
         return root;
     }
 
@@ -73,6 +77,8 @@ final class PlaceFile {
         budgets.put("all", tried.all());
         ArrayNode infeasible = budgets.putArray("infeasible");
         tried.infeasible().forEach(budget -> infeasible.add(Numbers.rounded(budget)));
+        ArrayNode unknown = budgets.putArray("unknown");
+        tried.unknown().forEach(budget -> unknown.add(Numbers.rounded(budget)));
     }
 
     /** Adds the value of a layout in the scene as it is and under each condition, if there are any. */

@@ -73,8 +73,11 @@ final class PlaceReport {
         String scene = plan.scene().name();
         Page page = new Page(target, scene + ": placement report", scene + ": the best layout for the money");
         page.verdict((words.verdict() + " " + chapter.verdict()).strip());
-        if (!results.complete()) {
+        if (results.isInterrupted()) {
             page.warning("the search was interrupted: these are the results so far");
+        }
+        if (results.front().stopped().isPresent()) {
+            page.warning(TimeStopWords.sentence(results.front().stopped().get()));
         }
         page.section("What to buy", purchases());
         page.section("What more money buys", front() + figures(pictures, FRONT::equals));

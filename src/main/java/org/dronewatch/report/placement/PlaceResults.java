@@ -17,8 +17,13 @@ public interface PlaceResults {
         return front().best();
     }
 
-    /** Whether the results are complete. */
-    boolean complete();
+    /** Whether an interruption has left out anything that was asked for. */
+    boolean isInterrupted();
+
+    /** Whether nothing that was asked for was left out, because of an interruption or a time limit. */
+    default boolean complete() {
+        return front().complete() && !isInterrupted();
+    }
 
     /** Describes the values of the objective in words. */
     PlaceMeasure measure();

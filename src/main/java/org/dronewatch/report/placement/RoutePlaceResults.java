@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.run.Stage;
@@ -16,21 +17,28 @@ import tools.jackson.databind.node.ObjectNode;
  * @param layout the routes past the layout, as flown; empty if the layout has no sensor, its scene would be
  *     inconsistent, or the search was interrupted before they were computed
  * @param present the routes past the scene's own sensors, as flown; empty if it has none, or for the reasons above
+ * @param isCut whether an interruption has left out either of these
  */
 public record RoutePlaceResults(
-        BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present)
+        BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present, boolean isCut)
         implements PlaceResults {
+    /** Results of a search that was not interrupted while routes were flown. */
+    public RoutePlaceResults(
+            BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present) {
+        this(front, layout, present, false);
+    }
+
     @Override
     public RoutePlacement best() {
         return front.best();
     }
 
     @Override
-    public boolean complete() {
-        return best().complete()
-                && front.complete()
-                && layout.map(flown -> flown.results().isComplete()).orElse(true)
-                && present.map(flown -> flown.results().isComplete()).orElse(true);
+    public boolean isInterrupted() {
+        return front.isInterrupted()
+                || isCut
+                || Stream.of(layout, present).flatMap(Optional::stream).anyMatch(flown -> !flown.results()
+                        .isComplete());
     }
 
     @Override

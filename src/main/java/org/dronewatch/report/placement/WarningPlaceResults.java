@@ -28,10 +28,8 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
     }
 
     @Override
-    public boolean complete() {
-        return best().complete()
-                && front.complete()
-                && (warnings.isPresent() || best().chosen().isEmpty());
+    public boolean isInterrupted() {
+        return front.isInterrupted() || warnings.isEmpty() && !best().chosen().isEmpty();
     }
 
     @Override

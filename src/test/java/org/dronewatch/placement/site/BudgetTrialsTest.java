@@ -10,9 +10,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.PlacementProblem;
+import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.solver.ExactSolver;
@@ -107,5 +109,46 @@ class BudgetTrialsTest {
                 .anyMatch(line -> line.startsWith("No layout complies with the conditions for these budgets"));
         assertThat(results.toJson().get("budgets").get("infeasible"))
                 .hasSize(tried.infeasible().size());
+    }
+
+    /** A solver that runs out of time has not shown that no layout complies: whether one does is not known. */
+    @Test
+    void aTimeoutIsNotInfeasible() throws IOException {
+        PlacePlan plan = PlacePlan.read(PlacedSite.in(directory, "budget: 6\n"), runner -> {}, note -> {});
+        CoveredCells cells = new CoveredCells(plan, plan.runner().stage(plan.present()), LayerStore.NONE);
+        whole = new PlaceSearch(plan, cells, new ExactSolver()).found(SolverLimits.NONE, some -> {}, () -> {});
+        AtomicInteger solved = new AtomicInteger();
+        PlacementSolver slow = (problem, limits) -> {
+            if (solved.incrementAndGet() <= 3) {
+                return new ExactSolver().solve(problem, SolverLimits.NONE);
+            }
+            limits.end().begin();
+            while (!limits.end().isDue()) {
+                Thread.onSpinWait();
+            }
+            return Optional.empty();
+        };
+        front = new FrontSearch<>(new CheaperCoverage(whole, cells, slow))
+                .found(FrontSearch.MOST, new SolverLimits(0.001, 0.05, () -> false), some -> {});
+        CoveragePlaceResults results = new CoveragePlaceResults(front, Optional.empty());
+
+        assertThat(solved.get()).as("none is tried after the time").isEqualTo(4);
+        assertThat(front.tried().infeasible()).isEmpty();
+        assertThat(front.tried().unknown()).isNotEmpty().isSorted();
+        assertThat(front.tried().count()).isEqualTo(4);
+        assertThat(front.tried().all()).isFalse();
+        assertThat(front.complete()).isFalse();
+        assertThat(front.isInterrupted()).isFalse();
+        assertThat(front.best().value()).isEqualTo(whole.value());
+        assertThat(front.stopped()).contains(new TimeStop(0.05, 0.001, true, true));
+        assertThat(results.lines())
+                .anyMatch(line -> line.contains("it is not known whether one complies"))
+                .noneMatch(line -> line.startsWith("No layout complies"))
+                .contains("The layout for the whole budget reached the gap of 0.1 %; the time limit of 0.05 s ended the"
+                        + " search for cheaper layouts.");
+        assertThat(results.toJson().get("budgets").get("unknown"))
+                .hasSize(front.tried().unknown().size());
+        assertThat(results.toJson().get("stopped").get("gap_reached").asBoolean())
+                .isTrue();
     }
 }

@@ -11,6 +11,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -24,6 +26,7 @@ import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -139,5 +142,49 @@ class WarningSearchTest {
                 assertThat(gain.after()).isLessThanOrEqualTo(whole.longest());
             });
         }
+    }
+
+    /** Interrupted at any moment after the first candidate, it gives the best layout of those assessed. */
+    @Test
+    void anInterruptedSearchGivesTheBestSoFar() throws IOException {
+        PlacePlan plan = plan("warning: mean\nbudget: 4\n");
+        Stage stage = plan.runner().stage(plan.present());
+        AtomicInteger calls = new AtomicInteger();
+        new WarningSearch(plan, stage, LayerStore.NONE, new ExactSolver())
+                .found(SolverLimits.NONE, cells -> calls.incrementAndGet(), () -> {});
+        int all = calls.get();
+        assertThat(all).isGreaterThan(plan.candidates().size());
+        int layouts = 0;
+        for (int when = 1; when <= all; when += LongForm.count(1 + all / 12, 1)) {
+            AtomicInteger left = new AtomicInteger(when);
+            try {
+                WarningPlacement placement = new WarningSearch(plan, stage, LayerStore.NONE, new ExactSolver())
+                        .found(
+                                SolverLimits.NONE,
+                                cells -> {
+                                    if (left.decrementAndGet() == 0) {
+                                        Thread.currentThread().interrupt();
+                                    }
+                                },
+                                Thread::interrupted);
+                layouts++;
+                boolean isLeftOut = placement.assessed() < plan.candidates().size()
+                        || placement.present().isEmpty()
+                                && !plan.present().enabledSensors().isEmpty();
+                assertThat(placement.complete())
+                        .as("call " + when + " of " + all)
+                        .isEqualTo(!isLeftOut);
+                assertThat(placement.problem().isAllowed(placement.result().chosen()))
+                        .isTrue();
+                assertThat(placement.bound()).isGreaterThanOrEqualTo(placement.value());
+            } catch (CancellationException e) {
+                assertThat(when)
+                        .as("of " + all)
+                        .isLessThanOrEqualTo(all / plan.candidates().size() + 1);
+            } finally {
+                Thread.interrupted();
+            }
+        }
+        assertThat(layouts).isGreaterThan(5);
     }
 }

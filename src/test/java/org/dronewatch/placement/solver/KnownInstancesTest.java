@@ -92,7 +92,7 @@ class KnownInstancesTest {
         Gains gains = new Gains(problem);
         Rules rules = new Rules(problem);
         int[] greedy = new LazyGreedy(gains, rules, false).extended(new int[0]);
-        int[] swapped = new Interchange(gains, rules).swapped(greedy);
+        int[] swapped = new Interchange(gains, rules, () -> false).swapped(greedy);
 
         assertThat(value(problem, greedy)).isCloseTo(8822.19, within(0.005));
         assertThat(value(problem, swapped)).isCloseTo(8655.8064, within(5e-5));

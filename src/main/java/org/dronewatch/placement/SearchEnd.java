@@ -1,0 +1,74 @@
+package org.dronewatch.placement;
+
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+
+/**
+ * When searches that share it end before they are complete: once they have taken some time together, or the user asks
+ * for the end. A search that has no layout by then may go on for a few seconds more. Thread-safe.
+ */
+public final class SearchEnd {
+    /** How long a search without any layout may go on, s. */
+    public static final double GRACE = 5.0;
+
+    private static final double NANOS = 1e-9;
+
+    private final double seconds;
+    private final BooleanSupplier isStopped;
+    private final AtomicReference<Long> begun = new AtomicReference<>();
+    private final AtomicReference<Long> noticed = new AtomicReference<>();
+
+    /**
+     * An end.
+     *
+     * @param seconds time that the searches may take together, s, above 0; infinite for no limit
+     * @param isStopped queried repeatedly; whether the user has asked for the end
+     */
+    SearchEnd(double seconds, BooleanSupplier isStopped) {
+        if (!(seconds > 0.0)) {
+            throw new IllegalArgumentException("time limit " + seconds + " s: must be above 0");
+        }
+        this.seconds = seconds;
+        this.isStopped = isStopped;
+    }
+
+    /** The time that the searches may take together, s; infinite for no limit. */
+    public double seconds() {
+        return seconds;
+    }
+
+    /** Begins a search: the time runs from the first of these calls. */
+    public void begin() {
+        begun.compareAndSet(null, System.nanoTime());
+    }
+
+    /** Whether the user has asked for the end. */
+    public boolean isStopped() {
+        return isStopped.getAsBoolean();
+    }
+
+    /** Whether the time is over. */
+    public boolean isTimeOver() {
+        return since(begun) > seconds;
+    }
+
+    /** Whether searches are to end, for either reason, unless they have no layout yet. */
+    public boolean isDue() {
+        boolean isDue = isStopped() || isTimeOver();
+        if (isDue && noticed.get() == null) {
+            noticed.compareAndSet(null, System.nanoTime());
+        }
+        return isDue;
+    }
+
+    /** Whether searches are to end even without a layout: {@link #GRACE} after one of them has noticed the end. */
+    public boolean isGraceOver() {
+        return isDue() && since(noticed) > GRACE;
+    }
+
+    /** Seconds since a moment; 0 if it has not come. */
+    private static double since(AtomicReference<Long> moment) {
+        Long nanos = moment.get();
+        return nanos == null ? 0.0 : NANOS * (System.nanoTime() - nanos);
+    }
+}

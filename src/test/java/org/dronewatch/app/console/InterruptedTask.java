@@ -1,0 +1,65 @@
+package org.dronewatch.app.console;
+
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/**
+ * An interruption at a given moment of a task: moments are the lines that the task prints, which include one at the end
+ * of each of its parts, and whatever else calls {@link #moment}.
+ */
+public final class InterruptedTask implements AutoCloseable {
+    private final int when;
+    private final AtomicInteger moments = new AtomicInteger();
+    private final Interruption interruption = new Interruption();
+
+    /**
+     * A task of the calling thread.
+     *
+     * @param when the number of the moment at which it is interrupted, from 1; 0 for never
+     */
+    public InterruptedTask(int when) {
+        this.when = when;
+    }
+
+    /** One more moment. */
+    public void moment() {
+        if (moments.incrementAndGet() == when) {
+            interruption.interruptCommand();
+        }
+    }
+
+    /** The number of moments so far. */
+    public int moments() {
+        return moments.get();
+    }
+
+    /** The interruption. */
+    public Interruption interruption() {
+        return interruption;
+    }
+
+    /** Each line is a moment. */
+    public TaskProgress shown() {
+        PrintWriter err = new PrintWriter(Writer.nullWriter()) {
+            @Override
+            public void flush() {
+                moment();
+            }
+
+            @Override
+            public PrintWriter printf(java.util.Locale locale, String format, Object... values) {
+                moment();
+                return this;
+            }
+        };
+        return new TaskProgress(TaskProgress.Amount.EVERYWHERE, err);
+    }
+
+    /** Ends the task; the thread of the caller is not interrupted then. */
+    @Override
+    public void close() {
+        interruption.close();
+        Thread.interrupted();
+    }
+}
