@@ -132,7 +132,7 @@ class PlaceObjectivesTest {
         assertThat(promised.get("route").get("exposure").asDouble()).isEqualTo(value);
         assertThat(place.outcome().out())
                 .contains(
-                        "By the search alone, the least exposed route comes from the west, with a counted exposure of ");
+                        "By the search alone, the least exposed route comes from the north, with a counted exposure of ");
     }
 
     /** A route that was found past other sensors is weaker past the layout than those that a search past it finds. */
