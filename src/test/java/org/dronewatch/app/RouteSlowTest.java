@@ -53,7 +53,7 @@ class RouteSlowTest {
         assertThat(slow.code()).as(slow.err()).isZero();
         assertThat(slow.out())
                 .containsPattern("time left +slow +most exposed to")
-                .contains(" to 2.97 m/s, which radars reject, ", "no sensor detects the drone on it");
+                .contains(" to 2.97 m/s, which radars reject: no sensor detects", "no sensor detects the drone on it");
         JsonNode found = JsonMapper.builder()
                 .build()
                 .readTree(directory.resolve("slow/route.json").toFile());
@@ -109,7 +109,9 @@ class RouteSlowTest {
         Outcome winged = search("--modes=slow", "--set=drones.intruder.airframe=fixed-wing");
 
         assertThat(seen.code()).isEqualTo(2);
-        assertThat(seen.err()).contains("--modes powered,slow: no sensor of the scene rejects low radial speeds");
+        assertThat(seen.err())
+                .contains(
+                        "--modes powered,slow: no sensor of the scene rejects the drone only when it flies more slowly");
         assertThat(winged.code()).isEqualTo(2);
         assertThat(winged.err()).contains("--modes slow: the drone cannot fly slowly; performance.hover is false");
     }

@@ -148,7 +148,7 @@ public final class RouteOptions {
             return "the drone cannot glide; performance.glideRatio is 0";
         }
         return drone.flightLimits().hover()
-                ? "no sensor of the scene rejects low radial speeds"
+                ? "no sensor of the scene rejects the drone only when it flies more slowly than at its cruise speed"
                 : "the drone cannot fly slowly; performance.hover is false";
     }
 

@@ -82,6 +82,11 @@ final class ModeWords {
         return time > 0.0 ? OptionalDouble.of(time) : OptionalDouble.empty();
     }
 
+    /** Whether the drone flies slowly for more than half of a route's time. */
+    static boolean isMostlySlow(SectorRoute route, RouteSurvey survey) {
+        return slowed(route, survey).orElse(0.0) > 0.5 * route.searched().end().time();
+    }
+
     /** The time for which the drone flies with its motors off at the end, s; empty if they run all the time. */
     static OptionalDouble gliding(SectorRoute route, RouteSurvey survey) {
         double end = route.searched().end().time();

@@ -37,7 +37,11 @@ final class RouteWords {
         String height = number(Math.rint(route.profile().medianHeight())) + " m above the ground";
         return "from the " + sector(route) + ", " + height
                 + ModeWords.clause(route, survey)
-                + reason(route).map(reason -> ", " + reason).orElse("");
+                + reason(route)
+                        // That radars reject the drone has been said.
+                        .filter(reason -> !ModeWords.isMostlySlow(route, survey))
+                        .map(reason -> ", " + reason)
+                        .orElse("");
     }
 
     /** What keeps sensors from detecting it, {@code hidden by terrain most of the time}; empty if nothing does. */
