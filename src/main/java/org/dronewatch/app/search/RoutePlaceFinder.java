@@ -49,7 +49,7 @@ final class RoutePlaceFinder implements PlaceFinder {
 
         RoutePlaceResults results() {
             while (true) {
-                boolean isLast = isTimeOver();
+                boolean isLast = isEnding();
                 RoutePlacement best = best();
                 BudgetFront<RoutePlacement> front = task.front(layouts.cheaper(best));
                 Optional<FlownLayout> layout = layout(front.best());
@@ -62,9 +62,8 @@ final class RoutePlaceFinder implements PlaceFinder {
         /** The best layout, with the routes past it known as they are flown. */
         private RoutePlacement best() {
             while (true) {
-                // Once the time is over, the layouts found are compared on all routes known, and no others are looked
-                // for.
-                boolean isLast = isTimeOver();
+                // Once the search is to end, layouts are compared once more, on all routes known by then.
+                boolean isLast = isEnding();
                 RoutePlacement best = task.shown()
                         .during(
                                 "layouts and routes past them",
@@ -76,8 +75,9 @@ final class RoutePlaceFinder implements PlaceFinder {
             }
         }
 
-        private boolean isTimeOver() {
-            return task.limits().end().isTimeOver();
+        /** Whether the user wants the end, or the time is over. */
+        private boolean isEnding() {
+            return task.limits().end().isDue();
         }
 
         private boolean holds(BudgetFront<RoutePlacement> front) {
