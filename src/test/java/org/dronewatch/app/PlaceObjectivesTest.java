@@ -13,6 +13,7 @@ import javax.imageio.ImageIO;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.placement.RadarCandidates;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
@@ -20,22 +21,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** What placements for warnings and against routes print of the layout is what other commands find for its scene. */
 class PlaceObjectivesTest {
-    private static final String CANDIDATES =
-            """
-            scene: site.yaml
-            budget: 3
-            candidates:
-              radar:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 130, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 2
-                places: [[0, 90, 4], [0, -95, 4]]
-              small:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.02 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 1
-                places: [[0, 0, 4], [-50, -50, 4]]
-            """;
+    private static final String CANDIDATES = "scene: site.yaml\nbudget: 3\n" + RadarCandidates.FOUR;
 
     @TempDir
     private Path directory;

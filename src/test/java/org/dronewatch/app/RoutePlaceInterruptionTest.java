@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.placement.RadarCandidates;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,23 +23,7 @@ import tools.jackson.databind.json.JsonMapper;
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
 class RoutePlaceInterruptionTest {
     private static final String PLACEMENT =
-            """
-            scene: site.yaml
-            objective: weakest-route
-            budget: 3
-            candidates:
-              radar:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 130, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 2
-                places: [[0, 90, 4], [0, -95, 4]]
-              small:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.02 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 1
-                places: [[0, 0, 4], [-50, -50, 4]]
-            air: {side: 240 m, cell: 40 m, heights: [30 m]}
-            """;
+            "scene: site.yaml\nobjective: weakest-route\nbudget: 3\n" + RadarCandidates.FOUR + RadarCandidates.AIR;
 
     @TempDir
     private Path directory;

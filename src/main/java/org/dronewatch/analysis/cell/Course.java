@@ -81,16 +81,7 @@ public record Course(
      * @param speed above 0, m/s
      */
     public static List<Course> at(double speed, Map<String, SensorSettings<?>> sensors, Drone drone) {
-        return all(sensors, drone).stream()
-                .filter(course -> course.kind() != Kind.HOVER)
-                .map(course -> new Course(
-                        course.kind(),
-                        course.angle(),
-                        course.reference(),
-                        course.sensor(),
-                        Optional.empty(),
-                        OptionalDouble.of(speed)))
-                .toList();
+        return moving(sensors, drone, Optional.empty(), OptionalDouble.of(speed));
     }
 
     /**
@@ -101,16 +92,15 @@ public record Course(
      * @throws IllegalArgumentException if the drone cannot glide
      */
     public static List<Course> gliding(Map<String, SensorSettings<?>> sensors, Drone drone) {
-        GlideDescent glide = GlideDescent.of(drone.settings());
+        return moving(sensors, drone, Optional.of(GlideDescent.of(drone.settings())), OptionalDouble.empty());
+    }
+
+    private static List<Course> moving(
+            Map<String, SensorSettings<?>> sensors, Drone drone, Optional<GlideDescent> glide, OptionalDouble speed) {
         return all(sensors, drone).stream()
                 .filter(course -> course.kind() != Kind.HOVER)
-                .map(course -> new Course(
-                        course.kind(),
-                        course.angle(),
-                        course.reference(),
-                        course.sensor(),
-                        Optional.of(glide),
-                        OptionalDouble.empty()))
+                .map(course ->
+                        new Course(course.kind(), course.angle(), course.reference(), course.sensor(), glide, speed))
                 .toList();
     }
 

@@ -21,7 +21,7 @@ public final class FrontSearch<L extends PlacedLayout> {
     private final L best;
     private final DoubleFunction<String> text;
 
-    /** A search that tells all values apart. */
+    /** A search in which values differ however small the difference. */
     public FrontSearch(CheaperLayouts<L> layouts) {
         this(layouts, Double::toString);
     }

@@ -5,8 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
-import org.dronewatch.placement.site.BudgetFront;
-import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.ComparedVariants;
 import org.dronewatch.report.html.Html;
@@ -24,26 +22,10 @@ import tools.jackson.databind.node.ObjectNode;
  * @param again the command that gives the same figures of the campaign
  */
 public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, CampaignResult result, String again)
-        implements PlaceResults {
-    @Override
-    public BudgetFront<? extends PlacedLayout> front() {
-        return found.front();
-    }
-
+        implements FoundPlaceResults {
     @Override
     public boolean isInterrupted() {
         return found.isInterrupted() || !result.stopping().isReached();
-    }
-
-    @Override
-    public PlaceMeasure measure() {
-        return found.measure();
-    }
-
-    /** The lines of the search; the tables of the campaign are those of the command {@code campaign}. */
-    @Override
-    public List<String> lines() {
-        return found.lines();
     }
 
     /** The contents of {@code place.json}: {@code campaign} has those of {@code campaign.json}. */

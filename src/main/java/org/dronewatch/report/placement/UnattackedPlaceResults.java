@@ -1,9 +1,6 @@
 package org.dronewatch.report.placement;
 
 import java.io.IOException;
-import java.util.List;
-import org.dronewatch.placement.site.BudgetFront;
-import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -12,25 +9,10 @@ import tools.jackson.databind.node.ObjectNode;
  *
  * @param found by the search
  */
-public record UnattackedPlaceResults(PlaceResults found) implements PlaceResults {
-    @Override
-    public BudgetFront<? extends PlacedLayout> front() {
-        return found.front();
-    }
-
+public record UnattackedPlaceResults(PlaceResults found) implements FoundPlaceResults {
     @Override
     public boolean isInterrupted() {
         return true;
-    }
-
-    @Override
-    public PlaceMeasure measure() {
-        return found.measure();
-    }
-
-    @Override
-    public List<String> lines() {
-        return found.lines();
     }
 
     @Override

@@ -17,6 +17,7 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.app.Program;
 import org.dronewatch.app.console.InterruptedTask;
+import org.dronewatch.placement.RadarCandidates;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.route.WeakestRouteSearch;
@@ -53,23 +54,7 @@ class PlaceMomentsTest {
     private static final int WRITTEN = LongForm.count(6, 1);
 
     private static final String ROUTE_CANDIDATES =
-            """
-            scene: site.yaml
-            objective: weakest-route
-            budget: 4
-            candidates:
-              radar:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 130, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 2
-                places: [[0, 90, 4], [0, -95, 4], [-55, 10, 17]]
-              small:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.02 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 1
-                places: [[0, 0, 4], [60, 0, 4], [-50, -50, 4]]
-            air: {side: 240 m, cell: 40 m, heights: [30 m]}
-            """;
+            "scene: site.yaml\nobjective: weakest-route\nbudget: 4\n" + RadarCandidates.SIX + RadarCandidates.AIR;
 
     @TempDir
     private Path directory;

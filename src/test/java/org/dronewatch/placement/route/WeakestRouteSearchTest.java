@@ -24,6 +24,7 @@ import org.dronewatch.analysis.field.FieldAssessment;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.RadarCandidates;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.LayoutConditions;
@@ -54,24 +55,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Layouts round a protected zone, on a plain with four boxes, against the weakest routes that {@code route} finds. */
 class WeakestRouteSearchTest {
-    /** Radars see all around, but not through boxes; how likely they detect the drone depends on its range. */
     static final String CANDIDATES =
-            """
-            scene: site.yaml
-            objective: weakest-route
-            candidates:
-              radar:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.03 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 130, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 2
-                places: [[0, 90, 4], [0, -95, 4], [-55, 10, 17]]
-              small:
-                sensor: {kind: radar, minRange: 1, maxRange: 400, elevationWidth: 90 deg, rate: 0.02 Hz, minSpeed: 0.1 m/s,
-                  budget: {range: 100, crossSection: 0.01}, detection: {kind: chance, pulses: 8}}
-                price: 1
-                places: [[0, 0, 4], [60, 0, 4], [-50, -50, 4]]
-            air: {side: 240 m, cell: 40 m, heights: [30 m]}
-            """;
+            "scene: site.yaml\nobjective: weakest-route\n" + RadarCandidates.SIX + RadarCandidates.AIR;
 
     @TempDir
     private Path directory;
