@@ -12,6 +12,9 @@ import org.dronewatch.sensor.CrossingBlind;
  * line of sight the next. Immutable and thread-safe.
  */
 final class RadialResponse {
+    /** A drone counts as this much faster, so that it is not seen by rounding where its radial speed is the greatest. */
+    private static final double FASTER = 1.001;
+
     private final CrossingBlind blind;
     private final Position position;
 
@@ -47,7 +50,7 @@ final class RadialResponse {
         double dy = y - position.y();
         double dz = z - position.z();
         double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        return blind.response((dx * east + dy * north + dz * up) / Math.max(distance, Double.MIN_NORMAL));
+        return blind.response(FASTER * (dx * east + dy * north + dz * up) / Math.max(distance, Double.MIN_NORMAL));
     }
 
     /** By course, the fraction that passes at a point, 0 to 1; coordinates in m. */

@@ -32,6 +32,9 @@ public record SectorRoute(
     /** The search misjudges a route if its probability of a detection differs from that of the flight by more. */
     public static final double MISJUDGED = 0.2;
 
+    /** Probabilities below this count as 0, as in tables. */
+    private static final double RARELY = 1e-3;
+
     /** Copies the maps. */
     public SectorRoute {
         bySensor = Collections.unmodifiableMap(new LinkedHashMap<>(bySensor));
@@ -73,6 +76,15 @@ public record SectorRoute(
      */
     public boolean isUnderestimated(double response) {
         return inTime(response) - route.detection() > MISJUDGED;
+    }
+
+    /**
+     * Whether some of the drones on it are detected, but too late for a response.
+     *
+     * @param response time that the response takes, s; 0 if none is required
+     */
+    public boolean isDetectedTooLate(double response) {
+        return detection() - inTime(response) > RARELY;
     }
 
     /**

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.DetectionField;
@@ -47,6 +48,7 @@ public final class SiteRoutes {
     private final RouteProblem problem;
     private final WeakestRoutes routes;
     private final Function<ExposureField, WeakestRoutes> past;
+    private final Supplier<WeakestRoutes> throughout;
     private final EnduranceLimit endurance;
     private final Position middle;
     private final ToDoubleFunction<Position> height;
@@ -56,6 +58,7 @@ public final class SiteRoutes {
      *
      * @param sensors their names, in the order of the scene
      * @param past the same search past the sensors and another field of exposure
+     * @param throughout the same search, but all detections count, in time or not
      * @param height the height of a point above the ground, m
      */
     SiteRoutes(
@@ -64,6 +67,7 @@ public final class SiteRoutes {
             RouteProblem problem,
             WeakestRoutes routes,
             Function<ExposureField, WeakestRoutes> past,
+            Supplier<WeakestRoutes> throughout,
             EnduranceLimit endurance,
             Position middle,
             ToDoubleFunction<Position> height) {
@@ -72,6 +76,7 @@ public final class SiteRoutes {
         this.problem = problem;
         this.routes = routes;
         this.past = past;
+        this.throughout = throughout;
         this.endurance = endurance;
         this.middle = middle;
         this.height = height;
@@ -162,7 +167,22 @@ public final class SiteRoutes {
      * @return by sector, the weakest routes of this search; sectors without a route that is short enough are left out
      */
     public Map<Integer, WeakestRoute> past(Map<Integer, WeakestRoute> routes, ExposureField more) {
-        WeakestRoutes again = past.apply(more);
+        return again(routes, past.apply(more));
+    }
+
+    /**
+     * Searches once more, for the routes that are least exposed all the way. Where only detections in time count, the
+     * drone hurries from the point on from which they come too late, although it might stay undetected on a slower way.
+     *
+     * @param routes the weakest routes so far, by sector
+     * @return by sector, the weakest routes of this search, with the exposure as far as a detection counts; sectors
+     *     without a route that is short enough are left out
+     */
+    public Map<Integer, WeakestRoute> throughout(Map<Integer, WeakestRoute> routes) {
+        return again(routes, throughout.get());
+    }
+
+    private Map<Integer, WeakestRoute> again(Map<Integer, WeakestRoute> routes, WeakestRoutes again) {
         Map<Integer, WeakestRoute> others = new LinkedHashMap<>();
         routes.forEach((sector, before) -> again.from(starts(sector))
                 .map(route -> this.routes.described(route.path(), before.lower()))

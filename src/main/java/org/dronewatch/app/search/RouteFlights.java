@@ -83,6 +83,13 @@ final class RouteFlights {
                 search.assess(progress);
                 return all;
             });
+            if (search.isTooLate()) {
+                shown.during("routes past later detections", 1, progress -> {
+                    search.avoidLateDetections();
+                    progress.accept(1);
+                    return all;
+                });
+            }
             if (search.isNeeded()) {
                 shown.during("routes past what flights have shown", RepeatedSearch.MOST, progress -> {
                     search.repeat(progress);

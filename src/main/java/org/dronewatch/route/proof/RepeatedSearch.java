@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntConsumer;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
@@ -14,7 +15,8 @@ import org.dronewatch.route.search.WeakestRoute;
  * The weakest routes of a site by the looks along them. First the looks along each route that the search has found are
  * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
  * search is repeated past {@link UnforeseenExposure what they have shown}, and the looks along its routes are assessed
- * as well. From each sector, the weaker route is kept, in the order of {@link RouteSurvey#weakestFirst}; in a tie, the
+ * as well. Where drones are detected too late, so are those along the routes that are least exposed {@linkplain
+ * SiteRoutes#throughout all the way}. From each sector, the weakest route is kept, in the order of {@link RouteSurvey#weakestFirst}; in a tie, the
  * one that was found first. For one thread at a time.
  */
 public final class RepeatedSearch {
@@ -55,15 +57,50 @@ public final class RepeatedSearch {
         }
     }
 
+    /** Whether drones are detected too late on a route. */
+    public boolean isTooLate() {
+        return !detectedTooLate().isEmpty();
+    }
+
+    /**
+     * Searches, for the sectors from which drones are detected too late, for the routes that are least exposed all the
+     * way, and assesses the looks along them: no more of them may be detected in time on these, but fewer in all.
+     *
+     * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
+     *     kept, and so is its interrupt status
+     */
+    public void avoidLateDetections() {
+        Map<Integer, WeakestRoute> before = new LinkedHashMap<>();
+        detectedTooLate().forEach((sector, route) -> before.put(sector, route.route()));
+        site.throughout(before).forEach(this::tryRoute);
+    }
+
+    /** Assesses the looks along a route that was found later, and keeps it if it is weaker. */
+    private SectorRoute tryRoute(int sector, WeakestRoute found) {
+        SectorRoute other = looks.apply(site.describe(sector, found));
+        if (isKept(other)) {
+            kept.put(sector, other);
+        }
+        return other;
+    }
+
     /** Whether the looks along a route detect the drone more often than the search expected. */
     public boolean isNeeded() {
         return !underestimated().isEmpty();
     }
 
     private Map<Integer, SectorRoute> underestimated() {
+        return keptThat(route -> route.isUnderestimated(survey.response()));
+    }
+
+    private Map<Integer, SectorRoute> detectedTooLate() {
+        return keptThat(route -> route.isDetectedTooLate(survey.response()));
+    }
+
+    private Map<Integer, SectorRoute> keptThat(Predicate<SectorRoute> isMeant) {
         Map<Integer, SectorRoute> routes = new LinkedHashMap<>();
         kept.forEach((sector, route) -> {
-            if (route.isUnderestimated(survey.response())) {
+            if (isMeant.test(route)) {
                 routes.put(sector, route);
             }
         });
@@ -94,10 +131,7 @@ public final class RepeatedSearch {
                 if (found.getValue().path().equals(before.get(sector).path())) {
                     continue;
                 }
-                SectorRoute other = looks.apply(site.describe(sector, found.getValue()));
-                if (isKept(other)) {
-                    kept.put(sector, other);
-                }
+                SectorRoute other = tryRoute(sector, found.getValue());
                 if (other.isUnderestimated(survey.response())) {
                     latest.put(sector, other);
                 }
