@@ -35,9 +35,12 @@ public record FlightPerformance(
         Optional<Boolean> hover,
         @In(value = Quantity.SPEED, above = 0, to = 400) Optional<Double> leastSpeed,
         @In(value = Quantity.LENGTH, above = 0, to = 20_000) Optional<Double> ceiling,
-        @In(value = Quantity.DURATION, above = 0, to = 604_800) Optional<Double> endurance,
+        @In(value = Quantity.DURATION, above = 0, to = LONGEST) Optional<Double> endurance,
         @In(value = Quantity.NUMBER, from = 0, to = 100) Optional<Double> glideRatio,
         @In(value = Quantity.SPEED, above = 0, to = 400) Optional<Double> glideSpeed) {
+    /** The longest possible endurance, a week, s. */
+    public static final double LONGEST = 604_800.0;
+
     /** All limits are typical of the airframe. */
     @Defaults
     public static final FlightPerformance TYPICAL = new FlightPerformance(

@@ -9,8 +9,10 @@ import org.dronewatch.analysis.cell.ProbabilityStep;
  * fraction passes, that with the nearest heading is taken. For one thread.
  */
 final class CellRate {
-    /** A fraction below this counts like this one; as a power of ten. */
+    /** What counts as nothing, unless it is more than half of what passes on the next course; as a power of ten. */
     private static final double NOTHING = -1.5;
+
+    private static final double LESS = -Math.log10(2.0);
 
     /** By step of a probability, 1/s. */
     private final double[] rates;
@@ -23,12 +25,6 @@ final class CellRate {
 
     /** By course, the greater, the nearer its heading is to that of the drone. */
     private final double[] along;
-
-    /** The courses by what passes on them; of several that are equal, that with the nearest heading; null at first. */
-    private int[] sorted;
-
-    /** How many courses are sorted. */
-    private int count;
 
     /** The rate where nothing passes, 1/s; NaN if it is not yet known. */
     private double ofNothing = Double.NaN;
@@ -51,48 +47,35 @@ final class CellRate {
         this.along = along;
     }
 
-    /** Sorts the courses by what passes; most rates that are asked for are in between. */
-    private void sort() {
-        sorted = new int[passes.length];
-        for (int course = 0; course < passes.length; course++) {
-            int place = count;
-            while (place > 0 && passes[sorted[place - 1]] > passes[course]) {
-                place--;
-            }
-            if (place > 0 && passes[sorted[place - 1]] == passes[course]) {
-                int other = sorted[place - 1];
-                sorted[place - 1] = along[course] > along[other] ? course : other;
-            } else {
-                System.arraycopy(sorted, place, sorted, place + 1, count - place);
-                sorted[place] = course;
-                count++;
-            }
-        }
-    }
-
-    /** The number of sorted courses on which no more passes than in flight. */
-    private int notAbove(double passing) {
-        if (sorted == null) {
-            sort();
-        }
-        int number = 0;
-        while (number < count && passes[sorted[number]] <= passing) {
-            number++;
-        }
-        return number;
-    }
-
     /** The course on which no more passes than in flight, or -1. */
-    private int below(int notAbove) {
-        return notAbove > 0 ? sorted[notAbove - 1] : -1;
+    private int below(double passing) {
+        int below = -1;
+        for (int course = 0; course < passes.length; course++) {
+            boolean isNearer = below < 0
+                    || passes[course] > passes[below]
+                    || passes[course] == passes[below] && along[course] > along[below];
+            below = passes[course] <= passing && isNearer ? course : below;
+        }
+        return below;
     }
 
-    /** The course on which no less passes than in flight, or -1. */
-    private int above(int notAbove, double passing) {
-        if (notAbove > 0 && passes[sorted[notAbove - 1]] == passing) {
-            return sorted[notAbove - 1];
+    /**
+     * The course on which no less passes than in flight, or -1.
+     *
+     * @param below the course on which no more passes, or -1
+     */
+    private int above(int below, double passing) {
+        if (below >= 0 && passes[below] == passing) {
+            return below;
         }
-        return notAbove < count ? sorted[notAbove] : -1;
+        int above = -1;
+        for (int course = 0; course < passes.length; course++) {
+            boolean isNearer = above < 0
+                    || passes[course] < passes[above]
+                    || passes[course] == passes[above] && along[course] > along[above];
+            above = passes[course] > passing && isNearer ? course : above;
+        }
+        return above;
     }
 
     /**
@@ -114,9 +97,8 @@ final class CellRate {
     }
 
     private double between(double passing) {
-        int notAbove = notAbove(passing);
-        int below = below(notAbove);
-        int above = above(notAbove, passing);
+        int below = below(passing);
+        int above = above(below, passing);
         if (below < 0 || above < 0) {
             return rates[steps[Math.max(below, above)]];
         }
@@ -130,20 +112,15 @@ final class CellRate {
 
     /** The place of the flight between two courses, 0 to 1, by the level of the signal that passes. */
     private double fraction(int below, int above, double passing) {
-        double from = decades(passes[below]);
-        double to = decades(passes[above]);
-        return to > from ? (decades(passing) - from) / (to - from) : 0.0;
+        double to = Math.log10(passes[above]);
+        double from = passes[below] > 0.0 ? Math.log10(passes[below]) : Math.min(NOTHING, to + LESS);
+        return to > from ? (Math.max(from, Math.log10(passing)) - from) / (to - from) : 0.0;
     }
 
     /** The course on which the sensor sees most nearly what it sees in flight. */
     int course(double passing) {
-        int notAbove = notAbove(passing);
-        int below = below(notAbove);
-        int above = above(notAbove, passing);
+        int below = below(passing);
+        int above = above(below, passing);
         return below < 0 || above >= 0 && fraction(below, above, passing) >= 0.5 ? above : below;
-    }
-
-    private static double decades(double passing) {
-        return Math.max(NOTHING, Math.log10(passing));
     }
 }

@@ -42,25 +42,32 @@ final class RadialResponse {
 
     /** The fraction of the signal that passes in flight, 0 to 1. */
     double of(double x, double y, double z, LegMotion motion) {
-        return of(x, y, z, motion.east(), motion.north(), motion.up());
+        double perDistance = perDistance(x, y, z);
+        return of(x, y, z, perDistance, motion.east(), motion.north(), motion.up());
     }
 
-    private double of(double x, double y, double z, double east, double north, double up) {
+    private double perDistance(double x, double y, double z) {
         double dx = x - position.x();
         double dy = y - position.y();
         double dz = z - position.z();
-        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        return blind.response(FASTER * (dx * east + dy * north + dz * up) / Math.max(distance, Double.MIN_NORMAL));
+        return FASTER / Math.max(Math.sqrt(dx * dx + dy * dy + dz * dz), Double.MIN_NORMAL);
+    }
+
+    private double of(double x, double y, double z, double perDistance, double east, double north, double up) {
+        double away = (x - position.x()) * east + (y - position.y()) * north + (z - position.z()) * up;
+        return blind.response(perDistance * away);
     }
 
     /** By course, the fraction that passes at a point, 0 to 1; coordinates in m. */
     double[] onCourses(double x, double y, double z) {
+        double perDistance = perDistance(x, y, z);
         double[] passes = new double[motions.length + sides.length];
         for (int course = 0; course < motions.length; course++) {
-            passes[course] = of(x, y, z, motions[course]);
+            LegMotion motion = motions[course];
+            passes[course] = of(x, y, z, perDistance, motion.east(), motion.north(), motion.up());
         }
         for (int i = 0; i < sides.length; i++) {
-            passes[motions.length + i] = of(x, y, z, 0.0, 0.0, motions[0].up());
+            passes[motions.length + i] = of(x, y, z, perDistance, 0.0, 0.0, motions[0].up());
         }
         return passes;
     }

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.drone.DroneSettings;
+import org.dronewatch.drone.FlightPerformance;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.scenario.SceneSettings;
@@ -27,7 +28,7 @@ public final class RouteScene {
     }
 
     /**
-     * The same route, begun later: the drone waits where it begins.
+     * The same route, begun later: the drone waits where it begins, which does not count for its endurance.
      *
      * @param scene with one drone
      * @param delay in addition, s
@@ -42,7 +43,14 @@ public final class RouteScene {
         if (!(drone.getValue().flight() instanceof RouteFlight flight)) {
             throw new IllegalArgumentException("drone '" + drone.getKey() + "' does not fly a route");
         }
-        return of(scene, drone.getKey(), flight.withDelay(flight.delay() + delay));
+        FlightPerformance stated = drone.getValue().performance().orElse(FlightPerformance.TYPICAL);
+        double endurance =
+                Math.min(FlightPerformance.LONGEST, drone.getValue().flightLimits().endurance() + delay);
+        DroneSettings waiting = drone.getValue().withPerformance(stated.withEndurance(endurance));
+        return of(
+                scene.withDrone(drone.getKey(), waiting),
+                drone.getKey(),
+                flight.withDelay(flight.delay() + delay));
     }
 
     /** When the route of a scene with one drone begins, s since the start of the run. */

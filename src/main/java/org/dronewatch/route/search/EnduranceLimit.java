@@ -1,7 +1,9 @@
 package org.dronewatch.route.search;
 
 import java.util.BitSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.dronewatch.geometry.Position;
@@ -11,8 +13,9 @@ import org.dronewatch.geometry.Position;
  * time, a Lagrange multiplier, which is raised until the route is short enough and then refined by bisection. For every
  * price, the least sum of exposure and priced time, less the price of the longest time allowed, is a lower bound on the
  * exposure along all routes that are short enough (the dual bound). Of several routes with the same sum, those between
- * the shortest and the least exposed are not found, so a gap may remain. Where the limit hardly allows a detour, the
- * price would have to be very high, and {@link CorridorBound} is the better bound.
+ * the shortest and the least exposed are not found, so a gap may remain. Therefore those that are too long are also
+ * {@linkplain Hastening hastened} until they are short enough. Where the limit hardly allows a detour, the
+ * price would have to be very high, and {@link CorridorBound} is the better bound. For one thread at a time.
  */
 public final class EnduranceLimit {
     /** The exposure for which the whole time counts at the first price. */
@@ -22,12 +25,20 @@ public final class EnduranceLimit {
     private static final int MOST_RAISES = 14;
     private static final int BISECTIONS = 8;
 
+    /** Of the searches that are kept, all but the latest have no more states than this: some 100 MB. */
+    private static final long MOST_STATES = 8_000_000;
+
     private final List<RouteMode> modes;
     private final double seconds;
     private final DoubleFunction<WeakestRoutes> search;
 
+    private final Map<Double, Priced> latest;
+
     /** The greatest of the dual bounds so far. */
     private double lower;
+
+    /** The least exposed of the routes so far that are short enough. */
+    private Optional<WeakestRoute> best = Optional.empty();
 
     /**
      * A limit.
@@ -39,6 +50,13 @@ public final class EnduranceLimit {
         this.modes = List.copyOf(modes);
         this.seconds = seconds;
         this.search = search;
+        this.latest = new LinkedHashMap<>(16, 0.75F, true) {
+            @Override
+            protected boolean removeEldestEntry(Map.Entry<Double, Priced> eldest) {
+                return size() > 1
+                        && values().stream().mapToLong(one -> one.routes().states()).sum() > MOST_STATES;
+            }
+        };
     }
 
     /** Whether a route is short enough. */
@@ -66,39 +84,70 @@ public final class EnduranceLimit {
      */
     public Optional<WeakestRoute> from(BitSet starts, WeakestRoute unlimited) {
         lower = unlimited.lower();
+        best = Optional.empty();
         double low = FIRST / (FACTOR * seconds);
         double high = FIRST / seconds;
-        WeakestRoutes first = search.apply(high);
+        Priced first = at(high);
         if (isBounded()) {
-            lower = Math.max(lower, first.within(starts, seconds));
+            lower = Math.max(lower, first.routes().within(starts, seconds));
         }
-        Optional<WeakestRoute> best = at(first, high, starts);
-        for (int raise = 0; best.isEmpty() && raise < MOST_RAISES; raise++) {
+        first.routes().hastened(unlimited, powered(unlimited.path()) - seconds).ifPresent(this::tryRoute);
+        boolean isShort = tryRoutes(first, starts);
+        for (int raise = 0; !isShort && raise < MOST_RAISES; raise++) {
             low = high;
             high *= FACTOR;
-            best = at(search.apply(high), high, starts);
+            isShort = tryRoutes(at(high), starts);
         }
-        for (int i = 0; best.isPresent() && i < BISECTIONS; i++) {
+        for (int i = 0; isShort && i < BISECTIONS; i++) {
             double middle = Math.sqrt(low * high);
-            Optional<WeakestRoute> other = at(search.apply(middle), middle, starts);
-            if (other.isEmpty()) {
-                low = middle;
-            } else {
+            if (tryRoutes(at(middle), starts)) {
                 high = middle;
-                best = other.get().exposure() < best.get().exposure() ? other : best;
+            } else {
+                low = middle;
             }
         }
         return best.map(route ->
                 new WeakestRoute(route.path(), route.exposure(), Math.min(lower, route.exposure()), route.seconds()));
     }
 
-    /** The weakest route at a price, if it is short enough. */
-    private Optional<WeakestRoute> at(WeakestRoutes routes, double price, BitSet starts) {
-        if (isBounded()) {
-            lower = Math.max(lower, routes.priced(starts) - price * seconds);
+    /** The search at a price; those of the last prices are kept, since all starts begin with the same ones. */
+    private Priced at(double price) {
+        Priced known = latest.get(price);
+        if (known != null) {
+            return known;
         }
-        return routes.from(starts).filter(this::allows);
+        WeakestRoutes routes = search.apply(price);
+        Priced found = new Priced(price, routes, isBounded() ? Optional.of(routes.pricedBound()) : Optional.empty());
+        latest.put(price, found);
+        return found;
     }
+
+    /** Tries the weakest route at a price; whether it is short enough without being hastened. */
+    private boolean tryRoutes(Priced priced, BitSet starts) {
+        priced.bound().ifPresent(bound -> lower = Math.max(lower, bound.from(starts) - priced.price() * seconds));
+        Optional<WeakestRoute> found = priced.routes().from(starts);
+        boolean isShort = found.filter(this::allows).isPresent();
+        (isShort
+                        ? found
+                        : found.flatMap(route -> priced.routes().hastened(route, powered(route.path()) - seconds)))
+                .ifPresent(this::tryRoute);
+        return isShort;
+    }
+
+    private void tryRoute(WeakestRoute route) {
+        if (allows(route) && (best.isEmpty() || route.exposure() < best.get().exposure())) {
+            best = Optional.of(route);
+        }
+    }
+
+    /**
+     * A search at a price.
+     *
+     * @param price of time, 1/s
+     * @param routes the weakest routes at this price
+     * @param bound the lower bound on the exposure and the price of all routes; empty where it does not help
+     */
+    private record Priced(double price, WeakestRoutes routes, Optional<ExposureBound> bound) {}
 
     /**
      * Whether the limit bounds the time of the whole flight: what is flown without power takes time as well, which a
