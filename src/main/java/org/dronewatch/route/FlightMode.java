@@ -28,7 +28,8 @@ public record FlightMode(Kind kind, double speed) {
     }
 
     /**
-     * All modes in which a drone can fly and that differ for some sensors, in the order of their kinds.
+     * All modes in which a drone can fly, in the order of their kinds; slowly only if a sensor rejects low radial
+     * speeds.
      *
      * @param sensors the sensors that it has to pass
      */

@@ -26,6 +26,8 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Cause;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Sites made for one weak spot each. The weakest route uses it: as flown, the drone is detected far less often than on
@@ -37,6 +39,7 @@ class FlownWeakSpotsTest {
     private static final double RESPONSE = 5.0;
     private static final int RUNS = 200;
 
+    private static final int NORTH = 0;
     private static final int NORTH_EAST = 1;
     private static final int EAST = 2;
 
@@ -152,6 +155,7 @@ class FlownWeakSpotsTest {
                         route -> route.with(FlownRoute.of(scene(settings, routes, route), runner.load(settings))
                                 .exposure()));
                 search.assess(done -> {});
+                search.avoidLateDetections();
                 search.repeat(done -> {});
                 SectorRoute route = search.survey().routes().get(0);
                 FlownRoute flown = FlownRoute.toProve(scene(settings, routes, route), runner.load(settings), RUNS);
@@ -253,6 +257,28 @@ class FlownWeakSpotsTest {
         assertUsed(slow, 0.0, 1e-3, 0.99);
         assertThat(slow.route().route().path().modes()).contains(1);
         assertThat(slow.route().causes().get(Cause.TOO_SLOW)).isGreaterThan(30.0);
+    }
+
+    /** Where a detection would come too late, it does not hurry: it could be seen, and arrives unseen. */
+    @Test
+    void itIsApproachedSlowlyToTheEnd() throws IOException {
+        Flown slow = fly(world("hut.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 8), "", RESPONSE, EAST);
+
+        assertThat(slow.straight().exposure().detection(Double.POSITIVE_INFINITY))
+                .isGreaterThan(0.99);
+        assertThat(slow.route().detection()).isLessThan(1e-3);
+        assertThat(slow.proof().detection().flown().count()).isZero();
+    }
+
+    /** The slower a drone, the longer it takes from look to look: not even corners may lie beyond the blind headings. */
+    @ParameterizedTest
+    @ValueSource(ints = {NORTH, EAST})
+    void aSecondRadarIsPassedAtItsBlindHeadings(int sector) throws IOException {
+        String second = RADAR.formatted("[150, 100, 8]", 1).replace("tower", "second");
+        Flown slow =
+                fly(world("hut.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 3) + second, "", 0.0, sector);
+
+        assertUsed(slow, 0.0, 1e-3, 0.99);
     }
 
     /** A drone that needs its speed to stay in the air has no such choice. */

@@ -18,7 +18,7 @@ final class ModeWords {
     private ModeWords() {}
 
     /**
-     * {@code , slowed for 40 s to 2.97 m/s, which radars reject, with its motors off for the last 20 s}; empty if it
+     * {@code , slowed for 40 s to 2.97 m/s, which a radar rejects, with its motors off for the last 20 s}; empty if it
      * does neither.
      */
     static String clause(SectorRoute route, RouteSurvey survey) {
@@ -26,7 +26,7 @@ final class ModeWords {
         OptionalDouble glide = gliding(route, survey);
         return (slow.isPresent()
                         ? ", slowed for " + RouteNumbers.seconds(slow) + " to " + speeds(Stream.of(route), survey)
-                                + ", which radars reject"
+                                + ", which a radar rejects"
                         : "")
                 + (glide.isPresent() ? ", with its motors off for the last " + RouteNumbers.seconds(glide) : "");
     }
@@ -34,7 +34,10 @@ final class ModeWords {
     /** What the drone may do within its limits: {@code , may slow down to 2.97 m/s, and may stop its motors once}. */
     static String abilities(RouteSurvey survey) {
         String speeds = speeds(survey.modes().stream().filter(RouteMode::isSlow));
-        return (speeds.isEmpty() ? "" : ", may slow down to " + speeds + " at any time")
+        boolean isAlwaysSlow = survey.modes().stream().allMatch(mode -> mode.isSlow() || mode.isGlide());
+        return (speeds.isEmpty()
+                        ? ""
+                        : isAlwaysSlow ? ", at " + speeds : ", may slow down to " + speeds + " at any time")
                 + (survey.modes().stream().anyMatch(RouteMode::isGlide)
                         ? ", and may stop its motors once to glide on"
                         : "");
@@ -66,6 +69,7 @@ final class ModeWords {
 
     private static String speeds(Stream<RouteMode> slow) {
         String words = slow.map(mode -> Numbers.text(Math.rint(HUNDRED * mode.speed()) / HUNDRED))
+                .distinct()
                 .collect(Collectors.joining(" or "));
         return words.isEmpty() ? "" : words + " m/s";
     }
@@ -80,6 +84,12 @@ final class ModeWords {
             }
         }
         return time > 0.0 ? OptionalDouble.of(time) : OptionalDouble.empty();
+    }
+
+    /** For how long the drone flies under power, s. */
+    static double powered(SectorRoute route, RouteSurvey survey) {
+        double end = route.searched().end().time();
+        return end - gliding(route, survey).orElse(0.0);
     }
 
     /** Whether the drone flies slowly for more than half of a route's time. */

@@ -16,6 +16,9 @@ import org.dronewatch.setting.PlainText;
 
 /** What has to be known of the figures of routes: over which flights they are means, and where they mislead. */
 final class RouteNotes {
+    /** The fraction of its endurance after which a drone has hardly any left. */
+    private static final double EXHAUSTED = 0.99;
+
     private final RouteInputs inputs;
     private final SlowLooks looks;
     private final HeightNotes heights;
@@ -35,6 +38,7 @@ final class RouteNotes {
                         begins(survey).stream(),
                         search.replaced(results).stream(),
                         search.unproven(survey).stream(),
+                        exhausting(survey).stream(),
                         heights.belowCeiling().stream(),
                         heights.beginningHigh(survey).stream(),
                         search.unseen(results.between()).stream(),
@@ -63,6 +67,22 @@ final class RouteNotes {
                         + " flights of each route, which begin at moments spread over the " + looks.period(sensor)
                         + " between two looks of '"
                         + PlainText.value(sensor) + (isSearching(sensor) ? "' in the same direction." : "'."));
+    }
+
+    /** On which routes the drone has nothing left of its endurance at the end; empty if there are none. */
+    private Optional<String> exhausting(RouteSurvey survey) {
+        double endurance = inputs.settings()
+                .individualDrones()
+                .get(inputs.drone())
+                .flightLimits()
+                .endurance();
+        List<SectorRoute> routes = survey.routes().stream()
+                .filter(route -> ModeWords.powered(route, survey) > EXHAUSTED * endurance)
+                .toList();
+        return routes.isEmpty()
+                ? Optional.empty()
+                : Optional.of("On " + RouteDirections.routes(routes) + ", the drone flies for as long as its endurance of "
+                        + number(endurance) + " s allows; with more endurance, it may be less exposed.");
     }
 
     /** Whether a sensor turns, so that not all of its looks can detect a drone that stays where it is. */

@@ -45,12 +45,23 @@ final class SearchNotes {
                             + Numbers.text(inputs.grid().cell()) + " m misjudges "
                             + RouteDirections.routes(routes) + ": as flown, the chance of a detection"
                             + inTime(response)
-                            + " differs by more than 20 percentage points, because the search "
+                            + difference(routes, response) + ", because the search "
                             + reason(cause, routes) + advice(cause, isUnproven, routes));
                 }
             }
         }
         return warnings;
+    }
+
+    /** By how much the flights differ from the search, {@code differs by up to 98 percentage points}. */
+    private static String difference(List<SectorRoute> routes, double response) {
+        double most = routes.stream()
+                .mapToDouble(
+                        route -> Math.abs(route.inTime(response) - route.route().detection()))
+                .max()
+                .orElseThrow();
+        return " differs by " + (routes.size() > 1 ? "up to " : "") + number(Math.rint(100.0 * most))
+                + " percentage points";
     }
 
     /** What the search does that makes it misjudge routes. */

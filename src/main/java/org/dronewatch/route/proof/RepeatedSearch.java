@@ -72,7 +72,9 @@ public final class RepeatedSearch {
     public void avoidLateDetections() {
         Map<Integer, WeakestRoute> before = new LinkedHashMap<>();
         detectedTooLate().forEach((sector, route) -> before.put(sector, route.route()));
-        site.throughout(before).forEach(this::tryRoute);
+        if (!before.isEmpty()) {
+            site.throughout(before).forEach(this::tryRoute);
+        }
     }
 
     /** Assesses the looks along a route that was found later, and keeps it if it is weaker. */
