@@ -117,6 +117,7 @@ final class PackagedFlights {
                 .map(scene -> route.with(FlownRoute.of(scene, models, 1).exposure()))
                 .orElse(route));
         search.assess(route -> {});
+        search.avoidLateDetections();
         search.repeat(repetition -> {});
         return search.survey().routes().stream()
                 .limit(directions)
