@@ -12,7 +12,7 @@ import org.dronewatch.sensor.CrossingBlind;
  * line of sight the next. Immutable and thread-safe.
  */
 final class RadialResponse {
-    /** A drone counts as this much faster, so that it is not seen by rounding where its radial speed is the greatest. */
+    /** A drone counts as this much faster, so that rounding does not make it visible where a leg ends. */
     private static final double FASTER = 1.001;
 
     private final CrossingBlind blind;

@@ -128,7 +128,7 @@ record RouteSite(
         RouteProblem problem =
                 new RouteProblem(nodes.grid(), exposure, modes, turnRadius, directions(), starts, goals, passage);
         double price = PRICE_OF_ENDURANCE / endurance;
-        EnduranceLimit limit = new EnduranceLimit(modes, endurance, ofTime -> search(problem, ofTime));
+        EnduranceLimit limit = new EnduranceLimit(problem, endurance, ofTime -> search(problem, ofTime));
         return new SiteRoutes(
                 sensors,
                 exposure,

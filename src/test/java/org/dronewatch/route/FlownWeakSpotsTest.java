@@ -270,13 +270,12 @@ class FlownWeakSpotsTest {
         assertThat(slow.proof().detection().flown().count()).isZero();
     }
 
-    /** The slower a drone, the longer it takes from look to look: not even corners may lie beyond the blind headings. */
+    /** The slower a drone, the more looks a corner takes: not even corners may lie beyond the blind headings. */
     @ParameterizedTest
     @ValueSource(ints = {NORTH, EAST})
     void aSecondRadarIsPassedAtItsBlindHeadings(int sector) throws IOException {
         String second = RADAR.formatted("[150, 100, 8]", 1).replace("tower", "second");
-        Flown slow =
-                fly(world("hut.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 3) + second, "", 0.0, sector);
+        Flown slow = fly(world("hut.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 3) + second, "", 0.0, sector);
 
         assertUsed(slow, 0.0, 1e-3, 0.99);
     }

@@ -81,8 +81,9 @@ final class RouteNotes {
                 .toList();
         return routes.isEmpty()
                 ? Optional.empty()
-                : Optional.of("On " + RouteDirections.routes(routes) + ", the drone flies for as long as its endurance of "
-                        + number(endurance) + " s allows; with more endurance, it may be less exposed.");
+                : Optional.of(
+                        "On " + RouteDirections.routes(routes) + ", the drone flies for as long as its endurance of "
+                                + number(endurance) + " s allows; with more endurance, it may be less exposed.");
     }
 
     /** Whether a sensor turns, so that not all of its looks can detect a drone that stays where it is. */

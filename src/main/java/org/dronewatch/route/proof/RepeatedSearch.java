@@ -16,8 +16,8 @@ import org.dronewatch.route.search.WeakestRoute;
  * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
  * search is repeated past {@link UnforeseenExposure what they have shown}, and the looks along its routes are assessed
  * as well. Where drones are detected too late, so are those along the routes that are least exposed {@linkplain
- * SiteRoutes#throughout all the way}. From each sector, the weakest route is kept, in the order of {@link RouteSurvey#weakestFirst}; in a tie, the
- * one that was found first. For one thread at a time.
+ * SiteRoutes#throughout all the way}. From each sector, the weakest route is kept, in the order of {@link
+ * RouteSurvey#weakestFirst}; in a tie, the one that was found first. For one thread at a time.
  */
 public final class RepeatedSearch {
     /** The greatest number of times that the search is repeated. */

@@ -44,13 +44,10 @@ public final class RouteScene {
             throw new IllegalArgumentException("drone '" + drone.getKey() + "' does not fly a route");
         }
         FlightPerformance stated = drone.getValue().performance().orElse(FlightPerformance.TYPICAL);
-        double endurance =
-                Math.min(FlightPerformance.LONGEST, drone.getValue().flightLimits().endurance() + delay);
+        double endurance = Math.min(
+                FlightPerformance.LONGEST, drone.getValue().flightLimits().endurance() + delay);
         DroneSettings waiting = drone.getValue().withPerformance(stated.withEndurance(endurance));
-        return of(
-                scene.withDrone(drone.getKey(), waiting),
-                drone.getKey(),
-                flight.withDelay(flight.delay() + delay));
+        return of(scene.withDrone(drone.getKey(), waiting), drone.getKey(), flight.withDelay(flight.delay() + delay));
     }
 
     /** When the route of a scene with one drone begins, s since the start of the run. */

@@ -2,7 +2,6 @@ package org.dronewatch.route.search;
 
 import java.util.BitSet;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
@@ -28,7 +27,7 @@ public final class EnduranceLimit {
     /** Of the searches that are kept, all but the latest have no more states than this: some 100 MB. */
     private static final long MOST_STATES = 8_000_000;
 
-    private final List<RouteMode> modes;
+    private final RouteProblem problem;
     private final double seconds;
     private final DoubleFunction<WeakestRoutes> search;
 
@@ -43,18 +42,18 @@ public final class EnduranceLimit {
     /**
      * A limit.
      *
+     * @param problem without the limit
      * @param seconds longest flight under power, above 0, s
      * @param search gives the weakest routes for a price of time, 1/s
      */
-    public EnduranceLimit(List<RouteMode> modes, double seconds, DoubleFunction<WeakestRoutes> search) {
-        this.modes = List.copyOf(modes);
+    public EnduranceLimit(RouteProblem problem, double seconds, DoubleFunction<WeakestRoutes> search) {
+        this.problem = problem;
         this.seconds = seconds;
         this.search = search;
         this.latest = new LinkedHashMap<>(16, 0.75F, true) {
             @Override
             protected boolean removeEldestEntry(Map.Entry<Double, Priced> eldest) {
-                return size() > 1
-                        && values().stream().mapToLong(one -> one.routes().states()).sum() > MOST_STATES;
+                return size() > 1 && (long) size() * problem.states() > MOST_STATES;
             }
         };
     }
@@ -67,7 +66,7 @@ public final class EnduranceLimit {
     private double powered(RoutePath path) {
         double sum = 0.0;
         for (int leg = 0; leg < path.modes().size(); leg++) {
-            RouteMode mode = modes.get(path.modes().get(leg));
+            RouteMode mode = problem.modes().get(path.modes().get(leg));
             if (!mode.isGlide()) {
                 Position from = path.points().get(leg);
                 Position to = path.points().get(leg + 1);
@@ -91,7 +90,7 @@ public final class EnduranceLimit {
         if (isBounded()) {
             lower = Math.max(lower, first.routes().within(starts, seconds));
         }
-        first.routes().hastened(unlimited, powered(unlimited.path()) - seconds).ifPresent(this::tryRoute);
+        tryRoute(first.routes(), unlimited);
         boolean isShort = tryRoutes(first, starts);
         for (int raise = 0; !isShort && raise < MOST_RAISES; raise++) {
             low = high;
@@ -126,18 +125,23 @@ public final class EnduranceLimit {
     private boolean tryRoutes(Priced priced, BitSet starts) {
         priced.bound().ifPresent(bound -> lower = Math.max(lower, bound.from(starts) - priced.price() * seconds));
         Optional<WeakestRoute> found = priced.routes().from(starts);
-        boolean isShort = found.filter(this::allows).isPresent();
-        (isShort
-                        ? found
-                        : found.flatMap(route -> priced.routes().hastened(route, powered(route.path()) - seconds)))
-                .ifPresent(this::tryRoute);
-        return isShort;
+        found.ifPresent(route -> tryRoute(priced.routes(), route));
+        return found.filter(this::allows).isPresent();
     }
 
-    private void tryRoute(WeakestRoute route) {
+    /** Keeps a route, or the hastened one if it is too long, if it is less exposed than the best so far. */
+    private void tryRoute(WeakestRoutes routes, WeakestRoute found) {
+        WeakestRoute route = allows(found) ? found : hastened(routes, found);
         if (allows(route) && (best.isEmpty() || route.exposure() < best.get().exposure())) {
             best = Optional.of(route);
         }
+    }
+
+    /** A route that is too long, flown faster where that costs the least exposure. */
+    private WeakestRoute hastened(WeakestRoutes routes, WeakestRoute route) {
+        RoutePath counted = routes.counted(route.path());
+        RoutePath faster = Hastening.of(problem, counted, powered(route.path()) - seconds);
+        return routes.described(faster.then(route.path().after(counted)), route.lower());
     }
 
     /**
@@ -154,6 +158,6 @@ public final class EnduranceLimit {
      * limit on powered flight does not bound.
      */
     private boolean isBounded() {
-        return modes.stream().noneMatch(RouteMode::isGlide);
+        return problem.modes().stream().noneMatch(RouteMode::isGlide);
     }
 }

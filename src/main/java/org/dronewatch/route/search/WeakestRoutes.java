@@ -261,29 +261,9 @@ public final class WeakestRoutes {
         return finish.counted(route);
     }
 
-    /**
-     * A route flown faster where that costs the least exposure.
-     *
-     * @param route of this search, or of the same one at another price
-     * @param gain how much faster, s
-     * @return empty if the modes do not allow it, or it is fast enough
-     */
-    Optional<WeakestRoute> hastened(WeakestRoute route, double gain) {
-        RoutePath counted = finish.counted(route.path());
-        RoutePath faster = Hastening.of(problem, counted, gain);
-        return faster.equals(counted)
-                ? Optional.empty()
-                : Optional.of(described(faster.then(route.path().after(counted)), route.lower()));
-    }
-
     /** A certified lower bound of the exposure and the price of all routes. */
     ExposureBound pricedBound() {
         return ExposureBound.of(priced, ends);
-    }
-
-    /** The number of states of the search. */
-    long states() {
-        return problem.states();
     }
 
     /**

@@ -114,7 +114,7 @@ class ClosedFormTest {
         RouteProblem problem = problem(grid, PointExposure.of(0, 0, 2), at(1, 0), at(0, 1));
         WeakestRoute free = solve(problem);
         EnduranceLimit limit =
-                new EnduranceLimit(problem.modes(), length, price -> WeakestRoutes.of(problem, problem.goals(), price));
+                new EnduranceLimit(problem, length, price -> WeakestRoutes.of(problem, problem.goals(), price));
         boolean isLong = length > 2.0;
         WeakestRoute limited =
                 isLong ? free : limit.from(problem.starts(), free).orElseThrow();

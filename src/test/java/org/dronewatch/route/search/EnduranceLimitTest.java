@@ -69,7 +69,7 @@ class EnduranceLimitTest {
             searches.incrementAndGet();
             return WeakestRoutes.of(problem, problem.goals(), price);
         };
-        return new EnduranceLimit(problem.modes(), seconds, search);
+        return new EnduranceLimit(problem, seconds, search);
     }
 
     /**
