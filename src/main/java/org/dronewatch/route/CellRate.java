@@ -9,9 +9,10 @@ import org.dronewatch.analysis.cell.ProbabilityStep;
  * fraction passes, that with the nearest heading is taken. For one thread.
  */
 final class CellRate {
-    /** What counts as nothing, unless it is more than half of what passes on the next course; as a power of ten. */
+    /** A fraction below this counts like this one if more passes on the next course; as a power of ten. */
     private static final double NOTHING = -1.5;
 
+    /** Otherwise, one below half of what passes on the next course counts like that half; as a power of ten. */
     private static final double LESS = -Math.log10(2.0);
 
     /** By step of a probability, 1/s. */
@@ -113,7 +114,8 @@ final class CellRate {
     /** The place of the flight between two courses, 0 to 1, by the level of the signal that passes. */
     private double fraction(int below, int above, double passing) {
         double to = Math.log10(passes[above]);
-        double from = passes[below] > 0.0 ? Math.log10(passes[below]) : Math.min(NOTHING, to + LESS);
+        double least = to > NOTHING ? NOTHING : to + LESS;
+        double from = Math.max(least, Math.log10(passes[below]));
         return to > from ? (Math.max(from, Math.log10(passing)) - from) / (to - from) : 0.0;
     }
 

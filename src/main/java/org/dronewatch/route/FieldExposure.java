@@ -148,63 +148,9 @@ public final class FieldExposure implements ExposureField {
                     }
                 }
             }
-            sum += unsteady == null ? 0.0 : unsteady(sensor, unsteady, corners, part, motion, finest);
+            sum += unsteady == null ? 0.0 : new UnsteadyPart(sensor, unsteady, corners, part, motion).mean(finest);
         }
         return sum;
-    }
-
-    /**
-     * The mean of what cells contribute in which a sensor's rate depends on the position; null for the others. By
-     * Simpson's rule, since its points include the ends of the part: where a drone is not seen at either end of a leg,
-     * its radial speed is too low all the way.
-     */
-    private static double unsteady(
-            SensorRates sensor, CellRate[] cells, CellCorners corners, LegPart part, LegMotion motion, double finest) {
-        int pieces = (int) Math.ceil(part.length() / finest);
-        double sum = 0.0;
-        for (int point = 0; point <= 2 * pieces; point++) {
-            double share = 0.5 * point / pieces;
-            double x = part.x(share);
-            double y = part.y(share);
-            double z = part.z(share);
-            double passing = sensor.passing(x, y, z, motion);
-            corners.weigh(x, y, z);
-            boolean isEnd = point == 0 || point == 2 * pieces;
-            sum += (isEnd ? 1.0 : point % 2 == 0 ? 2.0 : 4.0) * weighted(cells, corners, passing);
-        }
-        return sum / (6.0 * pieces);
-    }
-
-    private static double weighted(CellRate[] cells, CellCorners corners, double passing) {
-        double sum = 0.0;
-        for (int corner = 0; corner < CellCorners.COUNT; corner++) {
-            double weight = corners.weight(corner);
-            sum += cells[corner] != null && weight > 0.0 ? weight * cells[corner].at(passing) : 0.0;
-        }
-        return sum;
-    }
-
-    /** The part of a straight leg from one fraction of it to another. */
-    private record LegPart(Position from, Position to, double begin, double end) {
-        double length() {
-            return end - begin;
-        }
-
-        double x(double share) {
-            return from.x() + along(share) * (to.x() - from.x());
-        }
-
-        double y(double share) {
-            return from.y() + along(share) * (to.y() - from.y());
-        }
-
-        double z(double share) {
-            return from.z() + along(share) * (to.z() - from.z());
-        }
-
-        private double along(double share) {
-            return begin + share * (end - begin);
-        }
     }
 
     /**

@@ -12,7 +12,7 @@ import org.dronewatch.sensor.CrossingBlind;
  * line of sight the next. Immutable and thread-safe.
  */
 final class RadialResponse {
-    /** A drone counts as this much faster, so that rounding does not make it visible where a leg ends. */
+    /** A drone in flight counts as this much faster, so that rounding does not make it visible where a leg ends. */
     private static final double FASTER = 1.001;
 
     private final CrossingBlind blind;
@@ -46,11 +46,17 @@ final class RadialResponse {
         return of(x, y, z, perDistance, motion.east(), motion.north(), motion.up());
     }
 
+    /** The same, with a reserve. */
+    double inFlight(double x, double y, double z, LegMotion motion) {
+        double perDistance = FASTER * perDistance(x, y, z);
+        return of(x, y, z, perDistance, motion.east(), motion.north(), motion.up());
+    }
+
     private double perDistance(double x, double y, double z) {
         double dx = x - position.x();
         double dy = y - position.y();
         double dz = z - position.z();
-        return FASTER / Math.max(Math.sqrt(dx * dx + dy * dy + dz * dz), Double.MIN_NORMAL);
+        return 1.0 / Math.max(Math.sqrt(dx * dx + dy * dy + dz * dz), Double.MIN_NORMAL);
     }
 
     private double of(double x, double y, double z, double perDistance, double east, double north, double up) {

@@ -168,6 +168,11 @@ final class SensorRates {
         return response.orElseThrow().of(x, y, z, motion);
     }
 
+    /** The same, with a reserve, so that rounding does not make a drone visible at the end of a leg. */
+    double passingInFlight(double x, double y, double z, LegMotion motion) {
+        return response.orElseThrow().inFlight(x, y, z, motion);
+    }
+
     /** The course on which the sensor sees most nearly what it sees of a drone at a position, as a cell has it. */
     int course(CellCorners corners, int corner, double x, double y, double z, LegMotion motion) {
         return Double.isNaN(steady(corners, corner, motion))
