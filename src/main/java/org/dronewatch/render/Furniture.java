@@ -109,7 +109,9 @@ final class Furniture {
             texts.add(text);
             marks.add(colour);
         });
-        String time = String.format(Locale.ROOT, "%s, %.2f s", view, state.time());
+        // Where only the lines of whole flights are drawn, they do not show a moment.
+        boolean isMoment = !state.drones().isEmpty() || flights.isEmpty();
+        String time = isMoment ? String.format(Locale.ROOT, "%s, %.2f s", view, state.time()) : view;
         g.setFont(font(Font.BOLD, 15));
         int w = g.getFontMetrics().stringWidth(state.title());
         g.setFont(font(Font.PLAIN, 12));

@@ -185,7 +185,7 @@ public final class SiteRoutes {
     private Map<Integer, WeakestRoute> again(Map<Integer, WeakestRoute> routes, WeakestRoutes again) {
         Map<Integer, WeakestRoute> others = new LinkedHashMap<>();
         routes.forEach((sector, before) -> again.from(starts(sector))
-                .map(route -> this.routes.described(route.path(), before.lower()))
+                .map(route -> this.routes.described(endurance.hastened(this.routes, route.path()), before.lower()))
                 .filter(endurance::allows)
                 .ifPresent(route -> others.put(sector, route)));
         return others;

@@ -259,7 +259,7 @@ class FlownWeakSpotsTest {
         assertThat(slow.route().causes().get(Cause.TOO_SLOW)).isGreaterThan(30.0);
     }
 
-    /** Where a detection would come too late, it does not hurry: it could be seen, and arrives unseen. */
+    /** Where a detection would come too late, it does not hurry: it would be seen, and arrives unseen. */
     @Test
     void itIsApproachedSlowlyToTheEnd() throws IOException {
         Flown slow = fly(world("hut.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 8), "", RESPONSE, EAST);
@@ -268,6 +268,19 @@ class FlownWeakSpotsTest {
                 .isGreaterThan(0.99);
         assertThat(slow.route().detection()).isLessThan(1e-3);
         assertThat(slow.proof().detection().flown().count()).isZero();
+    }
+
+    /** The slow flight would take 33.8 s: it hurries for the rest of them at the end, when hardly a look is taken. */
+    @Test
+    void itHurriesAtTheEndIfItHasTo() throws IOException {
+        String endurance = "performance: {endurance: 33.6 s}";
+        Flown slow =
+                fly(world("hut.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 8), endurance, RESPONSE, EAST);
+
+        assertThat(slow.route().route().seconds()).isLessThanOrEqualTo(33.6);
+        assertThat(slow.route().inTime(RESPONSE)).isLessThan(1e-3);
+        assertThat(slow.route().detection()).isBetween(0.1, 0.7);
+        assertThat(slow.proof().agrees()).isTrue();
     }
 
     /** The slower a drone, the more looks a corner takes: not even corners may lie beyond the blind headings. */

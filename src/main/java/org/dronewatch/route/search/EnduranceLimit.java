@@ -131,17 +131,28 @@ public final class EnduranceLimit {
 
     /** Keeps a route, or the hastened one if it is too long, if it is less exposed than the best so far. */
     private void tryRoute(WeakestRoutes routes, WeakestRoute found) {
-        WeakestRoute route = allows(found) ? found : hastened(routes, found);
+        WeakestRoute route = allows(found) ? found : routes.described(hastened(routes, found.path()), found.lower());
         if (allows(route) && (best.isEmpty() || route.exposure() < best.get().exposure())) {
             best = Optional.of(route);
         }
     }
 
-    /** A route that is too long, flown faster where that costs the least exposure. */
-    private WeakestRoute hastened(WeakestRoutes routes, WeakestRoute route) {
-        RoutePath counted = routes.counted(route.path());
-        RoutePath faster = Hastening.of(problem, counted, powered(route.path()) - seconds);
-        return routes.described(faster.then(route.path().after(counted)), route.lower());
+    /**
+     * A path that takes no longer than allowed if the modes make that possible: where it is too long, it is flown
+     * faster, first where a detection does not count, and then where that costs the least exposure.
+     *
+     * @param routes a search that knows what counts
+     */
+    public RoutePath hastened(WeakestRoutes routes, RoutePath path) {
+        double excess = powered(path) - seconds;
+        if (!(excess > 0.0)) {
+            return path;
+        }
+        RoutePath counted = routes.counted(path);
+        RoutePath late = path.after(counted);
+        RoutePath sooner = Hastening.of(problem, late, excess);
+        double left = excess - (powered(late) - powered(sooner));
+        return left > 0.0 ? Hastening.of(problem, counted, left).then(sooner) : counted.then(sooner);
     }
 
     /**
