@@ -82,7 +82,7 @@ final class UnsteadyPart {
         return sum;
     }
 
-    /** The integral between two fractions of the part, at one of which the drone may be visible, and lost at the other. */
+    /** The integral between two fractions of the part; the drone may be visible at one of them only. */
     private double between(double from, double passesFrom, double to, double passesTo) {
         if (passesFrom > 0.0 == passesTo > 0.0) {
             return alike(from, passesFrom, to, passesTo);
@@ -105,7 +105,7 @@ final class UnsteadyPart {
         return alike(from, passesFrom, low, passesLow) + alike(high, passesHigh, to, passesTo);
     }
 
-    /** The same if the drone is visible at both, or at none: by Simpson's rule, unless it is otherwise in the middle. */
+    /** The same if it is visible at both, or at none: by Simpson's rule, unless the middle differs. */
     private double alike(double from, double passesFrom, double to, double passesTo) {
         double middle = 0.5 * (from + to);
         double passes = passing(middle);
