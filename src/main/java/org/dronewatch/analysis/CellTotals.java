@@ -7,11 +7,11 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * What the sensors of a {@link Coverage} find together in each cell, row by row from the north.
  *
- * @param byKind how many sensors of each kind detect the drone
+ * @param byKind whether any sensor of a kind detects the drone
  * @param reached whether any sensor detects the drone
  * @param unknown whether no sensor certainly detects the drone, and detection is unknown
  */
-record CellTotals(Map<String, int[]> byKind, boolean[] reached, boolean[] unknown) {
+record CellTotals(Map<String, boolean[]> byKind, boolean[] reached, boolean[] unknown) {
 
     /**
      * Adds up the findings of all sensors.
@@ -25,14 +25,14 @@ record CellTotals(Map<String, int[]> byKind, boolean[] reached, boolean[] unknow
             Map<String, Prober.Findings> findings,
             double[] heights,
             boolean isKnownEverywhere) {
-        Map<String, int[]> byKind = new LinkedHashMap<>();
+        Map<String, boolean[]> byKind = new LinkedHashMap<>();
         boolean[] reached = new boolean[heights.length];
         boolean[] unknown = new boolean[heights.length];
         findings.forEach((id, found) -> {
-            int[] ofKind = byKind.computeIfAbsent(sensors.get(id).kind(), kind -> new int[heights.length]);
+            boolean[] ofKind = byKind.computeIfAbsent(sensors.get(id).kind(), kind -> new boolean[heights.length]);
             for (int cell = 0; cell < heights.length; cell++) {
                 Prober.Answer answer = found.answers()[cell];
-                ofKind[cell] += answer == Prober.Answer.DETECTED ? 1 : 0;
+                ofKind[cell] |= answer == Prober.Answer.DETECTED;
                 reached[cell] |= answer == Prober.Answer.DETECTED;
                 unknown[cell] |= answer == Prober.Answer.UNKNOWN;
             }
@@ -42,11 +42,5 @@ record CellTotals(Map<String, int[]> byKind, boolean[] reached, boolean[] unknow
             unknown[cell] = canBeUnknown && !reached[cell];
         }
         return new CellTotals(byKind, reached, unknown);
-    }
-
-    /** Number of sensors of a kind that detect the drone in a cell. */
-    int count(String kind, int cell) {
-        int[] counts = byKind.get(kind);
-        return counts == null ? 0 : counts[cell];
     }
 }

@@ -15,7 +15,6 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
-import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
@@ -143,23 +142,32 @@ public final class Coverage {
      * Microphones trace no rays for this. For one thread at a time.
      */
     public Map<Cause, Integer> causes(String sensor) {
-        Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
+        Prober prober = probers.get(sensor);
+        Prober.Findings found = findings.get(sensor);
+        int[] counts = new int[Cause.values().length];
         for (int row = 0; row < grid.cells(); row++) {
             Workers.checkInterrupted();
             for (int column = 0; column < grid.cells(); column++) {
-                if (!isReached(sensor, column, row)) {
-                    cause(sensor, column, row).ifPresent(cause -> causes.merge(cause, 1, Integer::sum));
+                int cell = row * grid.cells() + column;
+                if (found.answers()[cell] == Prober.Answer.DETECTED) {
+                    continue;
+                }
+                Cause known = found.causes()[cell];
+                if (known != null) {
+                    counts[known.ordinal()]++;
+                } else {
+                    prober.explain(column, row)
+                            .ifPresent(why -> counts[why.cause().ordinal()]++);
                 }
             }
         }
+        Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
+        for (Cause cause : Cause.values()) {
+            if (counts[cause.ordinal()] > 0) {
+                causes.put(cause, counts[cause.ordinal()]);
+            }
+        }
         return causes;
-    }
-
-    private Optional<Cause> cause(String sensor, int column, int row) {
-        Cause known = findings.get(sensor).causes()[row * grid.cells() + column];
-        return known != null
-                ? Optional.of(known)
-                : probers.get(sensor).explain(column, row).map(Explanation::cause);
     }
 
     /**
@@ -189,9 +197,11 @@ public final class Coverage {
         return cells;
     }
 
-    /** Number of sensors of a kind that detect the drone in a cell. */
-    public int count(String kind, int column, int row) {
-        return totals.count(kind, row * grid.cells() + column);
+    /** Whether any sensor of a kind detects the drone, for each cell, row by row from the north. */
+    public boolean[] cellsOfKind(String kind) {
+        return totals.byKind()
+                .getOrDefault(kind, new boolean[grid.cells() * grid.cells()])
+                .clone();
     }
 
     /** The area in which a sensor detects the drone, m2. */
@@ -202,10 +212,8 @@ public final class Coverage {
     /** The area in which any sensor of a kind detects the drone, m2. */
     public double areaOfKind(String kind) {
         int cells = 0;
-        for (int row = 0; row < grid.cells(); row++) {
-            for (int column = 0; column < grid.cells(); column++) {
-                cells += count(kind, column, row) > 0 ? 1 : 0;
-            }
+        for (boolean isReached : cellsOfKind(kind)) {
+            cells += isReached ? 1 : 0;
         }
         return cells * grid.cellArea();
     }

@@ -120,11 +120,8 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     }
 
     private static int execute(PrintWriter out, PrintWriter err, CampaignCluster cluster, String... arguments) {
-        // Finding the library that keeps the log takes as long as finding the command.
-        CompletableFuture<Void> silent = CompletableFuture.runAsync(Logging::silence);
-        // The library's files for unfinished images would need room in the temporary directory, and a hook at
-        // shutdown.
-        ImageIO.setUseCache(false);
+        // Finding the libraries that keep the log and write images takes as long as finding the command.
+        CompletableFuture<Void> ready = CompletableFuture.runAsync(Main::prepareLibraries);
         Main main = new Main(cluster);
         PrintWriter plainErr = new PlainPrinter(err);
         CommandLine commands = Commands.program(main, List.of(arguments));
@@ -137,7 +134,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
             return ExitCode.BAD_INPUT;
         });
         commands.setExecutionExceptionHandler((problem, command, given) -> main.failed(problem, plainErr));
-        commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed, silent));
+        commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed, ready));
         // Closed only once the last message is out: the end of the process waits no longer than that.
         try (Interruption watch = new Interruption()) {
             main.interruption = watch;
@@ -150,6 +147,12 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
         }
     }
 
+    private static void prepareLibraries() {
+        Logging.silence();
+        // Files for unfinished images would need room in the temporary directory, and a hook at shutdown.
+        ImageIO.setUseCache(false);
+    }
+
     private int executed(CommandLine commands, PrintWriter err, String... arguments) {
         try {
             return commands.execute(arguments);
@@ -159,12 +162,12 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     }
 
     /** Help may be in colour; all else is plain. */
-    private int executeParsed(CommandLine commands, ParseResult parsed, CompletableFuture<Void> silent) {
+    private int executeParsed(CommandLine commands, ParseResult parsed, CompletableFuture<Void> ready) {
         Integer help = CommandLine.executeHelpRequest(parsed);
         if (help != null) {
             return help;
         }
-        silent.join();
+        ready.join();
         commands.setOut(new PlainPrinter(commands.getOut()));
         try {
             // Errors in the class path are reported before anything is done.

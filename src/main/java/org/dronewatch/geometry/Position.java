@@ -96,4 +96,18 @@ public record Position(
     public double distance(Position other) {
         return minus(other).length();
     }
+
+    /** As generated for a record, whose code the compiler takes long to translate: positions are compared often. */
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Position that
+                && Double.compare(x, that.x) == 0
+                && Double.compare(y, that.y) == 0
+                && Double.compare(z, that.z) == 0;
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * (31 * Double.hashCode(x) + Double.hashCode(y)) + Double.hashCode(z);
+    }
 }

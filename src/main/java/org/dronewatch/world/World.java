@@ -1,6 +1,7 @@
 package org.dronewatch.world;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -281,9 +282,15 @@ public final class World {
             for (int i = 0; i < moved.length; i++) {
                 corners[3 * triangle + i] = vertex + moved[i];
             }
+            int[] merged = new int[mesh.materialNames().size()];
+            Arrays.fill(merged, -1);
             for (int i = 0; i < mesh.triangleCount(); i++) {
-                String name = mesh.materialNames().get(mesh.material(i));
-                materials[triangle + i] = materialNumbers.computeIfAbsent(name, unseen -> materialNumbers.size());
+                int own = mesh.material(i);
+                if (merged[own] < 0) {
+                    String name = mesh.materialNames().get(own);
+                    merged[own] = materialNumbers.computeIfAbsent(name, unseen -> materialNumbers.size());
+                }
+                materials[triangle + i] = merged[own];
                 numbers[triangle + i] = triangle + i;
             }
             vertex += mesh.vertexCount();

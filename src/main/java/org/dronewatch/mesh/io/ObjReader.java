@@ -5,7 +5,9 @@ import java.io.Reader;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.parallel.Workers;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.input.FileHash;
 
@@ -28,10 +30,13 @@ public final class ObjReader implements MeshReader {
 
     @Override
     public LoadedModel read(ModelFile file, ModelSettings settings) {
-        ObjMeshCollector collector = collect(file, file.placement(settings));
+        AtomicReference<ObjMeshCollector> collected = new AtomicReference<>();
+        AtomicReference<FileHash> hash = new AtomicReference<>();
+        Workers.both(() -> collected.set(collect(file, file.placement(settings))), () -> hash.set(file.hash()));
+        ObjMeshCollector collector = collected.get();
         List<String> warnings = new ArrayList<>(collector.warnings());
         TriangleMesh mesh = collector.toMesh(warnings);
-        List<FileHash> files = new ArrayList<>(List.of(file.hash()));
+        List<FileHash> files = new ArrayList<>(List.of(hash.get()));
         MaterialLibraries materials = new MaterialLibraries(file);
         materials.read(collector.libraries(), collector.materialNames());
         files.addAll(materials.files());

@@ -17,4 +17,14 @@ public final class ColourMix {
                 (int) Math.round((1 - share) * below.getGreen() + share * above.getGreen()),
                 (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
     }
+
+    /** The same for pixels: red, green and blue in the lowest 24 bits. */
+    static int of(int below, int above, double share) {
+        return part(below, above, share, 16) | part(below, above, share, 8) | part(below, above, share, 0);
+    }
+
+    private static int part(int below, int above, double share, int shift) {
+        int mixed = (int) Math.round((1 - share) * (below >> shift & 0xff) + share * (above >> shift & 0xff));
+        return mixed << shift;
+    }
 }

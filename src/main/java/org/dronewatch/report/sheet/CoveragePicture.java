@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
@@ -35,6 +36,8 @@ public final class CoveragePicture {
     private static final int DECIMALS = 3;
     /** Stripes mark what is not known: they differ from every colour, also in print. */
     private static final int STRIPE = 5;
+    /** Width of the line around what a kind reaches, pixels. */
+    private static final int EDGE = 2;
 
     private static final Color UNKNOWN = new Color(0x6b6b6b);
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
@@ -86,54 +89,52 @@ public final class CoveragePicture {
     }
 
     private void drawMap(World world) {
-        int[] ground = ReliefShade.of(world, grid.east(), grid.north(), grid.side(), MAP);
+        int[] pixels = ReliefShade.of(world, grid.east(), grid.north(), grid.side(), MAP);
+        int[] cells = IntStream.range(0, MAP).map(u -> u * grid.cells() / MAP).toArray();
+        List<Layer> layers = colours.kinds().stream()
+                .map(kind -> new Layer(
+                        coverage.cellsOfKind(kind),
+                        grid.cells(),
+                        cells,
+                        colours.of(kind).getRGB()))
+                .toList();
         Workers.forEach(MAP, v -> {
             for (int u = 0; u < MAP; u++) {
-                if (isMarked(u, v)) {
-                    ground[v * MAP + u] =
-                            covered(new Color(ground[v * MAP + u]), u, v).getRGB();
+                int pixel = v * MAP + u;
+                if (coverage.isUnknown(cells[u], cells[v])) {
+                    int stripe = (u + v) / STRIPE % 2 == 0 ? UNKNOWN.getRGB() : Color.WHITE.getRGB();
+                    pixels[pixel] = ColourMix.of(pixels[pixel], stripe, 0.75);
+                } else if (coverage.isReached(cells[u], cells[v])) {
+                    for (Layer layer : layers) {
+                        pixels[pixel] = layer.over(pixels[pixel], u, v);
+                    }
                 }
             }
         });
-        image.getRaster().setDataElements(0, 0, MAP, MAP, ground);
+        image.getRaster().setDataElements(0, 0, MAP, MAP, pixels);
     }
 
-    /** Whether a pixel shows more than ground. */
-    private boolean isMarked(int u, int v) {
-        int column = u * grid.cells() / MAP;
-        int row = v * grid.cells() / MAP;
-        return coverage.isReached(column, row) || coverage.isUnknown(column, row);
-    }
+    /**
+     * The colour of a kind over the cells that its sensors reach, stronger at their edge.
+     *
+     * @param reached by cell
+     * @param columns of cells
+     * @param cells column or row of the cell in which a pixel's column or row lies
+     */
+    private record Layer(boolean[] reached, int columns, int[] cells, int colour) {
+        int over(int below, int u, int v) {
+            return reaches(u, v) ? ColourMix.of(below, colour, isEdge(u, v) ? 0.9 : 0.33) : below;
+        }
 
-    /** The ground's colour under that of each kind that reaches the cell, stronger at the edge of what it reaches. */
-    private Color covered(Color ground, int u, int v) {
-        int column = u * grid.cells() / MAP;
-        int row = v * grid.cells() / MAP;
-        Color colour = ground;
-        if (coverage.isUnknown(column, row)) {
-            return (u + v) / STRIPE % 2 == 0
-                    ? ColourMix.of(ground, UNKNOWN, 0.75)
-                    : ColourMix.of(ground, Color.WHITE, 0.75);
+        private boolean isEdge(int u, int v) {
+            return !(reaches(u - EDGE, v) && reaches(u + EDGE, v) && reaches(u, v - EDGE) && reaches(u, v + EDGE));
         }
-        for (String kind : colours.kinds()) {
-            if (coverage.count(kind, column, row) > 0) {
-                colour = ColourMix.of(colour, colours.of(kind), isEdge(kind, u, v) ? 0.9 : 0.33);
-            }
-        }
-        return colour;
-    }
 
-    private boolean isEdge(String kind, int u, int v) {
-        int[][] neighbours = {{u - 2, v}, {u + 2, v}, {u, v - 2}, {u, v + 2}};
-        for (int[] next : neighbours) {
-            int column = Math.floorDiv(next[0] * grid.cells(), MAP);
-            int row = Math.floorDiv(next[1] * grid.cells(), MAP);
-            boolean inside = column >= 0 && row >= 0 && column < grid.cells() && row < grid.cells();
-            if (inside && coverage.count(kind, column, row) == 0) {
-                return true;
-            }
+        /** Whether the cell of a pixel is reached; no edge is drawn along the edge of the map. */
+        private boolean reaches(int u, int v) {
+            boolean isOutside = u < 0 || v < 0 || u >= MAP || v >= MAP;
+            return isOutside || reached[cells[v] * columns + cells[u]];
         }
-        return false;
     }
 
     private void drawSensors(Graphics2D g) {

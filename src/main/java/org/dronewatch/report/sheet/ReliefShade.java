@@ -16,9 +16,9 @@ public final class ReliefShade {
     public static final Color NOTHING = new Color(0xeeeeee);
 
     private static final double[] LIGHT = {-0.48, 0.48, 0.734};
-    private static final Color GROUND = new Color(236, 232, 222);
-    private static final Color WATER = new Color(158, 170, 180);
-    private static final Color ROAD = new Color(255, 255, 255);
+    private static final int[] GROUND = {236, 232, 222};
+    private static final int[] WATER = {158, 170, 180};
+    private static final int[] ROAD = {255, 255, 255};
 
     /** Roads are light on slopes, too. */
     private static final double LEAST_LIGHT_OF_ROADS = 0.95;
@@ -30,6 +30,9 @@ public final class ReliefShade {
     private final double lowest;
     private final double extent;
     private final double[] normal = new double[3];
+
+    /** The colour of each material, in full light. */
+    private final int[][] colours;
 
     /**
      * The ground of a square area, on the {@link Workers} of the calling thread: red, green and blue of each pixel, row
@@ -47,7 +50,7 @@ public final class ReliefShade {
             double y = north + 0.5 * side - (v + 0.5) * pixel;
             for (int u = 0; u < pixels; u++) {
                 double x = east - 0.5 * side + (u + 0.5) * pixel;
-                colours[v * pixels + u] = relief.shade(x, y).getRGB();
+                colours[v * pixels + u] = relief.shade(x, y);
             }
         });
         return colours;
@@ -60,30 +63,32 @@ public final class ReliefShade {
         this.above = world.bounds().maxZ() + 1.0;
         this.lowest = world.bounds().minZ();
         this.extent = Math.max(1e-9, world.bounds().maxZ() - lowest);
+        this.colours = world.materialNames().stream().map(ReliefShade::colour).toArray(int[][]::new);
+    }
+
+    private static int[] colour(String material) {
+        if (material.equals(LandClass.WATER.material())) {
+            return WATER;
+        }
+        return material.equals(LandClass.ROAD.material()) ? ROAD : GROUND;
     }
 
     /** The colour at a point: pale where the surface faces the light, lighter the higher it is. */
-    private Color shade(double x, double y) {
+    private int shade(double x, double y) {
         if (!traversal.closestHit(x, y, above, 0.0, 0.0, -1.0, 0.0, Double.POSITIVE_INFINITY)) {
-            return NOTHING;
+            return NOTHING.getRGB();
         }
         setNormal(traversal.triangle());
         double facing = normal[0] * LIGHT[0] + normal[1] * LIGHT[1] + normal[2] * LIGHT[2];
         double height = above - traversal.distance();
         double rise = (height - lowest) / extent;
         double light = Math.max(0.0, Math.min(1.0, 0.25 + 0.55 * Math.max(0.0, facing) + 0.2 * rise));
-        String material = world.materialNames().get(world.material(traversal.triangle(), x, y));
-        if (material.equals(LandClass.WATER.material())) {
-            return lit(WATER, light);
-        }
-        return material.equals(LandClass.ROAD.material())
-                ? lit(ROAD, Math.max(LEAST_LIGHT_OF_ROADS, light))
-                : lit(GROUND, light);
+        int[] colour = colours[world.material(traversal.triangle(), x, y)];
+        return lit(colour, colour == ROAD ? Math.max(LEAST_LIGHT_OF_ROADS, light) : light);
     }
 
-    private static Color lit(Color colour, double light) {
-        return new Color(
-                (int) (colour.getRed() * light), (int) (colour.getGreen() * light), (int) (colour.getBlue() * light));
+    private static int lit(int[] colour, double light) {
+        return (int) (colour[0] * light) << 16 | (int) (colour[1] * light) << 8 | (int) (colour[2] * light);
     }
 
     /** Unit normal, to the upper side. */

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.security.CodeSource;
 import java.util.List;
 import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -27,6 +28,11 @@ final class CodeStamp {
 
     static String text() {
         return TEXT;
+    }
+
+    /** Makes it in the background: listing thousands of classes takes as long as reading a model. */
+    static void prepare() {
+        CompletableFuture.runAsync(CodeStamp::text);
     }
 
     /** The entries of the program's jar with their checksums, or the files of a directory with their times. */

@@ -54,6 +54,7 @@ public final class PreparedSites {
      */
     public PreparedSites(Path directory, StorePlace place, Consumer<String> progress) {
         this(directory, SiteStore.standard(place, progress), TreeMemory.SHARED, SMALL, progress);
+        CodeStamp.prepare();
     }
 
     /**

@@ -1,5 +1,7 @@
 package org.dronewatch.sensor.camera;
 
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleToIntFunction;
 import java.util.function.IntPredicate;
@@ -32,6 +34,9 @@ final class CameraBounds {
     private Position asked;
     private Optional<Obstacle> obstacle = Optional.empty();
 
+    /** The bounds without a pixel by cause, if they are the same at all positions. */
+    private final Map<Cause, Optional<AssessmentBounds>> unseen = new EnumMap<>(Cause.class);
+
     CameraBounds(World world, CameraSignal signals, Cover cover) {
         this.world = world;
         this.signals = signals;
@@ -55,8 +60,20 @@ final class CameraBounds {
                 : Optional.empty();
     }
 
-    /** Without a pixel, neither heading nor speed matter. */
+    /** Without a pixel, neither heading nor speed matter; nor does the position if only pixels count. */
     private Optional<AssessmentBounds> unseen(DronePicture picture, Position at, Cause cause) {
+        if (!signals.countPixelsOnly()) {
+            return boundsUnseen(picture, at, cause);
+        }
+        Optional<AssessmentBounds> known = unseen.get(cause);
+        if (known == null) {
+            known = boundsUnseen(picture, at, cause);
+            unseen.put(cause, known);
+        }
+        return known;
+    }
+
+    private Optional<AssessmentBounds> boundsUnseen(DronePicture picture, Position at, Cause cause) {
         Signal nothing = signals.of(
                 signals.view(at, AT_REST, 0, Optional.empty(), picture.camera().focalLength()));
         return Optional.of(AssessmentBounds.between(nothing, nothing, nothing.isDetected() ? Cause.DETECTED : cause));
@@ -134,17 +151,16 @@ final class CameraBounds {
 
         @Override
         public boolean test(int pixels) {
-            if (pixels == 0) {
-                return condition.test(0);
+            if (pixels > 0 && (pixels <= tooFew || pixels >= sufficient)) {
+                return pixels >= sufficient;
             }
-            if (pixels > tooFew && pixels < sufficient) {
-                if (condition.test(pixels)) {
-                    sufficient = pixels;
-                } else {
-                    tooFew = pixels;
-                }
+            boolean holds = condition.test(pixels);
+            if (holds && pixels > 0) {
+                sufficient = pixels;
+            } else if (pixels > 0) {
+                tooFew = pixels;
             }
-            return pixels >= sufficient;
+            return holds;
         }
     }
 

@@ -30,6 +30,11 @@ final class CameraSignal {
         this.sun = beyond.sun();
     }
 
+    /** Whether signals depend on nothing but the number of pixels. */
+    boolean countPixelsOnly() {
+        return settings.detection().countsPixelsOnly();
+    }
+
     /**
      * The view of a drone.
      *

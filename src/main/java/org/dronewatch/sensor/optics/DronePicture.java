@@ -168,11 +168,15 @@ public final class DronePicture {
 
     private void setWorld(World world) {
         if (staticView == null || !staticView.shows(world)) {
-            boundPlace = null;
-            sight = new SightCone(world.tree(), camera.position());
-            staticView = new StaticView(camera, world, images);
-            dynamicView = world == formerWorld ? former.turned(camera) : new DynamicView(camera, world::newTileTracer);
+            change(world);
         }
+    }
+
+    private void change(World world) {
+        boundPlace = null;
+        sight = new SightCone(world.tree(), camera.position());
+        staticView = new StaticView(camera, world, images);
+        dynamicView = world == formerWorld ? former.turned(camera) : new DynamicView(camera, world::newTileTracer);
     }
 
     /** The number of pixels that show a drone, by its index in the list that was drawn. */

@@ -123,19 +123,21 @@ public final class PixelBounds {
      * @param precision by which fraction of the least it may be greater, inverted
      */
     private int findSufficient(IntPredicate enough, int precision) {
-        int found = mostAround();
-        if (found == 0 || !enough.test(found)) {
-            return Integer.MAX_VALUE;
-        }
         int tooFew = 0;
-        while (found - tooFew > 1 + tooFew / precision) {
-            // The geometric mean: a few pixels may suffice, or many thousands.
-            int between = Math.max(tooFew + 1, (int) Math.sqrt((tooFew + 1.0) * found));
-            if (enough.test(between)) {
-                found = between;
+        int found = Integer.MAX_VALUE;
+        int next = mostAround();
+        while (next > tooFew) {
+            if (enough.test(next)) {
+                found = next;
+            } else if (found == Integer.MAX_VALUE) {
+                return found;
             } else {
-                tooFew = between;
+                tooFew = next;
             }
+            // The geometric mean: a few pixels may suffice, or many thousands.
+            next = found - tooFew > 1 + tooFew / precision
+                    ? Math.max(tooFew + 1, (int) Math.sqrt((tooFew + 1.0) * found))
+                    : tooFew;
         }
         return found;
     }

@@ -10,7 +10,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
  */
 final class DecisiveRays {
     /** Above the rounding of the levels along a path, dB. */
-    private static final double ROUNDING = 1e-6;
+    static final double ROUNDING = 1e-6;
 
     /** Above the relative rounding of the distance between a ray and the sensor. */
     private static final double RELATIVE_ROUNDING = 1e-9;

@@ -78,9 +78,10 @@ final class RayChunk {
                 }
                 continue;
             }
-            boolean hit = ray.meets(traversal);
+            double audible = isQuick() ? audible() : Double.POSITIVE_INFINITY;
+            boolean hit = ray.meets(traversal, audible);
             traced++;
-            double distance = hit ? traversal.distance() : Double.POSITIVE_INFINITY;
+            double distance = hit ? traversal.distance() : audible;
             if (reachesSensor(distance)) {
                 receive(recorder);
                 if (extent != TracedRays.ALL && bestLevel >= detectionLevel) {
@@ -98,8 +99,18 @@ final class RayChunk {
 
     /** Whether the ray comes from a surface, ends at the next one, and needs no figures. */
     private boolean isOfUseOnlyAtSensor() {
-        boolean isQuick = extent == TracedRays.DECISIVE || extent == TracedRays.DECISIVE_OF_LOOK;
-        return isQuick && ray.order > 0 && ray.order == model.maxOrder();
+        return isQuick() && ray.order > 0 && ray.order == model.maxOrder();
+    }
+
+    private boolean isQuick() {
+        return extent == TracedRays.DECISIVE || extent == TracedRays.DECISIVE_OF_LOOK;
+    }
+
+    /** How far the ray is loud enough, m: what it meets farther away does not matter. */
+    private double audible() {
+        return model.attenuation() > 0.0
+                ? Math.max(0.0, ray.level - detectionLevel + DecisiveRays.ROUNDING) / model.attenuation()
+                : Double.POSITIVE_INFINITY;
     }
 
     private boolean isFreeToSensor() {
