@@ -23,6 +23,7 @@ import org.dronewatch.report.coverage.table.ConditionTable;
 import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.coverage.table.CoverageSite;
 import org.dronewatch.report.coverage.table.CoverageTable;
+import org.dronewatch.report.coverage.table.FieldTable;
 import org.dronewatch.report.coverage.table.Losses;
 import org.dronewatch.report.coverage.table.ReferencePoint;
 import org.dronewatch.report.coverage.table.WorstPlaces;
@@ -121,6 +122,13 @@ final class CoverageReport {
             most = share(height) > share(most) ? height : most;
         }
         String subject = "The drone '" + inputs.drone() + "', " + heading() + ", is detected " + time() + "in ";
+        if (most.covered() == 0) {
+            return "The drone '" + inputs.drone() + "', " + heading() + ", is not detected " + time()
+                    + "anywhere in the area"
+                    + (known.size() > 1
+                            ? " at any of the heights."
+                            : " at " + number(most.height()) + " m above the ground.");
+        }
         String from = percent(least.covered(), least) + " % ";
         if (share(least) == share(most) && known.size() > 1) {
             return subject + from + "of the area at each of the heights.";
@@ -194,7 +202,10 @@ final class CoverageReport {
                                                 ? "elsewhere."
                                                 : "where none detects it with a probability of "
                                                         + number(FieldCoverage.DEFAULT_COVERED) + " or more."))
-                + Html.table(head, rows);
+                + Html.table(head, rows)
+                + FieldTable.slownessInWords(causes, inputs)
+                        .map(words -> Html.plain("p", "Too slow: " + words + "."))
+                        .orElse("");
     }
 
     private String underConditions() {

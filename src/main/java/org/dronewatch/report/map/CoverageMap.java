@@ -16,6 +16,7 @@ import org.dronewatch.geo.GeoPoint;
 import org.dronewatch.geo.Geodesy;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Cause;
 
 /**
@@ -121,7 +122,7 @@ public final class CoverageMap {
         return new StyledFeature(
                 Role.GAP,
                 folder(height),
-                String.format(Locale.ROOT, "%s: %.2f ha, %s", metres(height), 1e-4 * gap.area(), style.name()),
+                String.format(Locale.ROOT, "%s: %s, %s", metres(height), Numbers.area(gap.area()), style.name()),
                 new Shape.Area(rings(map, number), OptionalDouble.of(height)),
                 style.colour(),
                 properties.values());

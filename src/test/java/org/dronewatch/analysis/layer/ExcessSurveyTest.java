@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.dronewatch.LongForm;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldColumns;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -30,6 +31,8 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.InterpolableSensor;
+import org.dronewatch.sensor.Look;
+import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.BeforeAll;
@@ -129,6 +132,69 @@ class ExcessSurveyTest {
         assertThat(certain).isGreaterThan(50);
         assertThat(undecided).isPositive();
         assertThat(Math.abs(difference)).as("seed %d", seed).isLessThan(4.5 * Math.sqrt(variance) + 1.0);
+    }
+
+    /**
+     * The probability of an interpolated level stands for what is not known of a cell: looks in one cell hardly differ,
+     * but over many cells, looks of runs with other seeds detect the drone as often as the probabilities add up to. Few
+     * large errors determine the deviation of all, so probabilities may be closer to 0.5 than the frequencies, but are
+     * not farther from it. Of frequencies with the right means, none varies more than if each were 0 or 1.
+     */
+    @Test
+    void looksOfOtherRunsDetectAsOftenAsTheProbabilitiesAddUpTo() {
+        long seed = LongForm.seed(27);
+        System.out.println("ExcessSurveyTest: seed " + seed);
+        Random random = new Random(seed);
+        int perCell = LongForm.count(20, 100);
+        RaySensor ear = (RaySensor) each.settings().create();
+        int[] cells = new int[2];
+        double[] difference = new double[2];
+        double[] variance = new double[2];
+        for (int[] cell : undecided(random).subList(0, LongForm.count(30, 60))) {
+            Position at = columns.middle(cell[0], cell[1], cell[2]);
+            double p = ProbabilityStep.probability(layer.step(cell[0], cell[1], cell[2], 0));
+            int hits = 0;
+            for (int run = 0; run < perCell; run++) {
+                Look look = Look.of(random.nextLong(), "ear", 0, 0.0);
+                hits += ear.detects(each.world(), each.drone(at, 0), look) ? 1 : 0;
+            }
+            int half = p < 0.5 ? 0 : 1;
+            cells[half]++;
+            difference[half] += (double) hits / perCell - p;
+            variance[half] += p * (1.0 - p);
+        }
+        System.out.printf(
+                "    %d cells below 0.5: %.2f, variance %.2f; %d above: %.2f, variance %.2f%n",
+                cells[0], difference[0], variance[0], cells[1], difference[1], variance[1]);
+        assertThat(Math.min(cells[0], cells[1])).isGreaterThan(5);
+        double rounding = 0.002;
+        assertThat(Math.abs(difference[0] + difference[1]))
+                .as("seed %d", seed)
+                .isLessThan(3.0 * Math.sqrt(variance[0] + variance[1]) + rounding * (cells[0] + cells[1]));
+        assertThat(difference[0]).as("seed %d", seed).isLessThan(3.0 * Math.sqrt(variance[0]) + rounding * cells[0]);
+        assertThat(difference[1])
+                .as("seed %d", seed)
+                .isGreaterThan(-3.0 * Math.sqrt(variance[1]) - rounding * cells[1]);
+        for (int half = 0; half < 2; half++) {
+            assertThat(Math.abs(difference[half])).as("seed %d", seed).isLessThan(0.3 * cells[half]);
+        }
+    }
+
+    /** Level, column and row of the cells whose probability is neither close to 0 nor to 1, in random order. */
+    private static List<int[]> undecided(Random random) {
+        List<int[]> cells = new ArrayList<>();
+        for (int level = 0; level < columns.levels(); level++) {
+            for (int column = 0; column < columns.columns(); column++) {
+                for (int row = 0; row < columns.rows(); row++) {
+                    double p = ProbabilityStep.probability(layer.step(level, column, row, 0));
+                    if (columns.isOpen(level, column, row) && p > 0.02 && p < 0.98) {
+                        cells.add(new int[] {level, column, row});
+                    }
+                }
+            }
+        }
+        Collections.shuffle(cells, random);
+        return cells;
     }
 
     /**

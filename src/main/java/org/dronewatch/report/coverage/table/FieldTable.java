@@ -54,7 +54,16 @@ public final class FieldTable {
             }
             lines.add(line.toString());
         }
+        slownessInWords(causes, inputs).map("too slow: "::concat).ifPresent(lines::add);
         return lines;
+    }
+
+    /** On the worst heading, a radar that rejects low radial speeds detects nothing, wherever the drone is. */
+    public static Optional<String> slownessInWords(Set<Cause> causes, CoverageInputs inputs) {
+        return causes.contains(Cause.TOO_SLOW) && inputs.heading().equals("worst")
+                ? Optional.of("hovering, or flying across a radar's line of sight; what is detected on other headings"
+                        + " is shown by --heading best or inbound")
+                : Optional.empty();
     }
 
     /**
@@ -182,8 +191,8 @@ public final class FieldTable {
     private static String words(Gap gap) {
         String rim = gap.touchesRim() ? "; reaches the edge of the area" : "";
         return text(
-                "  %.2f ha, innermost point at x %.1f m, y %.1f m; main cause: %s%s",
-                1e-4 * gap.area(), gap.x() + 0.0, gap.y() + 0.0, cause(gap), rim);
+                "  %s, innermost point at x %.1f m, y %.1f m; main cause: %s%s",
+                Numbers.area(gap.area()), gap.x() + 0.0, gap.y() + 0.0, cause(gap), rim);
     }
 
     /** A look may detect the drone, but with too low a probability, or too late. */

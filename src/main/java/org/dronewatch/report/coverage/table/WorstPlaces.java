@@ -15,6 +15,7 @@ import org.dronewatch.analysis.survey.Gap;
 import org.dronewatch.analysis.survey.GapEvidence;
 import org.dronewatch.analysis.survey.GapMap;
 import org.dronewatch.analysis.survey.GapSpan;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.Counted;
@@ -83,7 +84,7 @@ public final class WorstPlaces {
         return Html.plain(
                         "h3",
                         rank + ". At " + heights(span) + ": "
-                                + hectares(span.gap().area()))
+                                + inWords(span.gap().area()))
                 + Html.plain(
                         "p",
                         "A gap of " + size(span) + (span.lowest() == span.highest() ? " " : ", ")
@@ -110,7 +111,7 @@ public final class WorstPlaces {
                 span.gap().cells(), summary.heights().get(span.height()).known());
         String where =
                 span.lowest() == span.highest() ? "" : " at " + height(span.height()) + " m, where it is largest";
-        return hectares(span.gap().area()) + " (" + share + " % of the known area)" + where;
+        return inWords(span.gap().area()) + " (" + share + " % of the known area)" + where;
     }
 
     private String where(GapMap map, GapSpan span) {
@@ -189,7 +190,7 @@ public final class WorstPlaces {
                 .orElse(0);
     }
 
-    static String hectares(double area) {
-        return String.format(Locale.ROOT, area < 1e3 ? "%.3f ha" : area < 1e5 ? "%.2f ha" : "%.1f ha", 1e-4 * area);
+    static String inWords(double area) {
+        return area < 1e5 ? Numbers.area(area) : String.format(Locale.ROOT, "%.1f ha", 1e-4 * area);
     }
 }
