@@ -203,7 +203,8 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     }
 
     private int failed(Throwable problem, PrintWriter err) {
-        boolean stopped = problem instanceof CancellationException || interruption.happened();
+        boolean stopped =
+                problem instanceof CancellationException || interruption.happened() && !interruption.isOutOfTime();
         if (stopped && !(problem instanceof InputException)) {
             err.println("interrupted: nothing was written");
         } else {

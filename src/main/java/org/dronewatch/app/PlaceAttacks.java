@@ -17,8 +17,10 @@ import org.dronewatch.campaign.CampaignScenes;
 import org.dronewatch.campaign.CampaignSettings;
 import org.dronewatch.campaign.CaseExecution;
 import org.dronewatch.campaign.SummedCases;
+import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.Layout;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.report.placement.AttackedPlaceResults;
 import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.placement.UnattackedPlaceResults;
@@ -124,13 +126,15 @@ final class PlaceAttacks {
      *
      * @param seed in place of the one in the campaign file
      * @param overrides of settings of the scene
+     * @param limits of the search
      * @return the results with those of the attacks; without them if none are asked for, if they cannot be flown, or
-     *     after an interruption
+     *     after an interruption or the end of the time
      */
     PlaceResults flown(
             PlaceResults results,
             Optional<Long> seed,
             List<String> overrides,
+            SolverLimits limits,
             Interruption interruption,
             TaskProgress shown) {
         PlacePlan plan = results.best().plan();
@@ -138,7 +142,7 @@ final class PlaceAttacks {
             return results;
         }
         if (interruption.happened() || results.isInterrupted()) {
-            return new UnattackedPlaceResults(results);
+            return new UnattackedPlaceResults(incomplete(results, limits, interruption));
         }
         CaseRuns runner = new CaseRuns(interruption, shown, CaseExecution.HERE);
         SceneSettings layout;
@@ -155,8 +159,17 @@ final class PlaceAttacks {
         }
         CampaignPlan attacks = plan(settings(plan, seed).withVariants(variants), plan, layout);
         SummedCases kept = new SummedCases(attacks);
-        runner.run(new CampaignRun(attacks), kept, "attacks");
-        return new AttackedPlaceResults(results, attacks, kept.result(), again(plan, seed, overrides));
+        boolean isWhole = runner.run(new CampaignRun(attacks), kept, "attacks");
+        return new AttackedPlaceResults(
+                isWhole ? results : incomplete(results, limits, interruption),
+                attacks,
+                kept.result(),
+                again(plan, seed, overrides));
+    }
+
+    /** The results without all of the attacks: for a user who does not wait, or since the time is over. */
+    private static PlaceResults incomplete(PlaceResults results, SolverLimits limits, Interruption interruption) {
+        return interruption.isOutOfTime() ? results.without(LeftOut.ATTACKS, limits) : results;
     }
 
     /** The comparison that gives the same figures. */

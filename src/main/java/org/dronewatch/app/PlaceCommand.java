@@ -7,7 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.app.console.Interruption;
 import org.dronewatch.app.console.ProgressOptions;
 import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.app.option.FieldOptions;
@@ -20,12 +22,14 @@ import org.dronewatch.app.option.StoreSwitch;
 import org.dronewatch.app.option.ThreadsOption;
 import org.dronewatch.app.search.PlaceFinder;
 import org.dronewatch.app.search.PlaceTask;
+import org.dronewatch.placement.SearchEnd;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.FrontSearch;
 import org.dronewatch.report.placement.AttackedPlaceResults;
 import org.dronewatch.report.placement.PlaceDirectory;
 import org.dronewatch.report.placement.PlaceResults;
+import org.dronewatch.report.placement.UnattackedPlaceResults;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.scene.SceneRunner;
@@ -88,8 +92,9 @@ final class PlaceCommand implements Callable<Integer> {
             names = "--time",
             paramLabel = "S",
             description = "Ends the search this long after the candidates have been assessed, with a unit or in s: the"
-                    + " best layout so far is then stated with a bound; no limit by default. The result depends on the"
-                    + " machine.")
+                    + " best layout so far is then stated with a bound. Flights, attacks and the coverage of the layout"
+                    + " are left out where they are not complete 10 s later. No limit by default. The result depends on"
+                    + " the machine.")
     private String time;
 
     @Option(
@@ -148,7 +153,12 @@ final class PlaceCommand implements Callable<Integer> {
             return threads.call(() -> {
                 attacks.check(plan, seed.number());
                 PlaceResults results = attacks.flown(
-                        results(given, plan, limits, shown), seed.number(), overrides, main.interruption(), shown);
+                        results(given, plan, limits, shown),
+                        seed.number(),
+                        overrides,
+                        limits,
+                        main.interruption(),
+                        shown);
                 main.interruption().letFinish();
                 if (target != null) {
                     target.write(results, provenance(given, plan), threads.number(), shown.notes());
@@ -172,13 +182,18 @@ final class PlaceCommand implements Callable<Integer> {
             });
         });
         if (results.isInterrupted()) {
-            err.println(
-                    attacked.isPresent()
-                            ? "interrupted: these are the results of the attacks that were complete"
-                            : "interrupted: this is the best layout so far");
+            err.println("interrupted: " + soFar(results));
         }
         return attacked.map(its -> CampaignLines.warn(its.result().summary(), err))
                 .orElse(0);
+    }
+
+    private static String soFar(PlaceResults results) {
+        if (results instanceof AttackedPlaceResults) {
+            return "these are the results of the attacks that were complete";
+        }
+        return "this is the best layout so far"
+                + (results instanceof UnattackedPlaceResults ? "; no attacks were flown" : "");
     }
 
     private PlaceResults results(Path given, PlacePlan plan, SolverLimits limits, TaskProgress shown) {
@@ -187,7 +202,19 @@ final class PlaceCommand implements Callable<Integer> {
             return PlaceFinder.of(plan.settings().objective()).find(task);
         } catch (InputException e) {
             throw PlacePlan.placed(given, e);
+        } catch (CancellationException e) {
+            throw main.interruption().isOutOfTime() ? tooLittleTime(limits, e) : e;
         }
+    }
+
+    private InputException tooLittleTime(SolverLimits limits, CancellationException cause) {
+        main.interruption().letFinish();
+        return new InputException(
+                GivenOption.words("--time", time) + ": "
+                        + Quantity.DURATION.inWords(limits.end().seconds() + SearchEnd.FOLLOW_UP)
+                        + " after the candidates were assessed, no layout had been compared with the routes past it;"
+                        + " more time is needed",
+                cause);
     }
 
     private SolverLimits limits() {
@@ -200,8 +227,11 @@ final class PlaceCommand implements Callable<Integer> {
         if (budgets < 1 || budgets > FrontSearch.MOST) {
             throw new InputException("--budgets " + budgets + ": must be 1 to " + FrontSearch.MOST);
         }
-        return new SolverLimits(gap, time == null ? Double.POSITIVE_INFINITY : seconds(time), () -> main.interruption()
-                .happened());
+        Interruption interruption = main.interruption();
+        return new SolverLimits(
+                gap,
+                time == null ? Double.POSITIVE_INFINITY : seconds(time),
+                () -> interruption.happened() && !interruption.isOutOfTime());
     }
 
     private static double seconds(String text) {

@@ -2,6 +2,7 @@ package org.dronewatch.placement;
 
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 
 /**
  * When searches that share it end before they are complete: once they have taken some time together, or the user asks
@@ -11,10 +12,17 @@ public final class SearchEnd {
     /** How long a search without any layout may go on, s. */
     public static final double GRACE = 5.0;
 
+    /**
+     * How long after the time limit of a search all else that depends on its result may go on, s: the coverage of the
+     * layout, flights along the routes past it, and attacks.
+     */
+    public static final double FOLLOW_UP = 10.0;
+
     private static final double NANOS = 1e-9;
 
     private final double seconds;
     private final BooleanSupplier isStopped;
+    private final LongSupplier clock;
     private final AtomicReference<Long> begun = new AtomicReference<>();
     private final AtomicReference<Long> noticed = new AtomicReference<>();
 
@@ -25,11 +33,21 @@ public final class SearchEnd {
      * @param isStopped queried repeatedly; whether the user has asked for the end
      */
     SearchEnd(double seconds, BooleanSupplier isStopped) {
+        this(seconds, isStopped, System::nanoTime);
+    }
+
+    /**
+     * An end by another clock.
+     *
+     * @param clock gives the time since any moment, ns
+     */
+    SearchEnd(double seconds, BooleanSupplier isStopped, LongSupplier clock) {
         if (!(seconds > 0.0)) {
             throw new IllegalArgumentException("time limit " + seconds + " s: must be above 0");
         }
         this.seconds = seconds;
         this.isStopped = isStopped;
+        this.clock = clock;
     }
 
     /** The time that the searches may take together, s; infinite for no limit. */
@@ -39,7 +57,7 @@ public final class SearchEnd {
 
     /** Begins a search: the time runs from the first of these calls. */
     public void begin() {
-        begun.compareAndSet(null, System.nanoTime());
+        begun.compareAndSet(null, clock.getAsLong());
     }
 
     /** Whether the user has asked for the end. */
@@ -56,7 +74,7 @@ public final class SearchEnd {
     public boolean isDue() {
         boolean isDue = isStopped() || isTimeOver();
         if (isDue && noticed.get() == null) {
-            noticed.compareAndSet(null, System.nanoTime());
+            noticed.compareAndSet(null, clock.getAsLong());
         }
         return isDue;
     }
@@ -67,8 +85,8 @@ public final class SearchEnd {
     }
 
     /** Seconds since a moment; 0 if it has not come. */
-    private static double since(AtomicReference<Long> moment) {
+    private double since(AtomicReference<Long> moment) {
         Long nanos = moment.get();
-        return nanos == null ? 0.0 : NANOS * (System.nanoTime() - nanos);
+        return nanos == null ? 0.0 : NANOS * (clock.getAsLong() - nanos);
     }
 }

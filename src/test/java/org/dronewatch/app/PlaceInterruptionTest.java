@@ -21,8 +21,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * A request to end while {@code place} assesses its candidates: the best layout of those assessed, whole; or while it
- * flies attacks: the results of those that were flown, whole.
+ * A request to end while {@code place} assesses its candidates: the best layout of those assessed, whole, without
+ * attacks; or while it flies these: the results of those that were flown, whole.
  */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
 class PlaceInterruptionTest {
@@ -33,11 +33,15 @@ class PlaceInterruptionTest {
     void theBestLayoutSoFarIsWhole() throws Exception {
         Path file = PlacedSite.in(directory, "budget: 9\n");
         Files.writeString(file, Files.readString(file).replace("side: 400 m, cell: 80 m", "side: 400 m, cell: 2 m"));
+        Files.writeString(
+                directory.resolve("attacks.campaign.yaml"),
+                "scene: site.yaml\nvary:\n  drones.one.speed: {values: [10, 20]}\nruns: 4\n");
         Outcome outcome;
         try (Child place = Program.start(
                 directory,
                 List.of("-Xmx1g", "-Ddronewatch.cache=" + directory.resolve("cache")),
-                ("place radars.place.yaml --threads 1 --progress --out .").split(" "))) {
+                ("place radars.place.yaml --campaign attacks.campaign.yaml --threads 1 --progress --out .")
+                        .split(" "))) {
             await(() -> hasLayers(2));
             // Not SIGINT, which a build in the background ignores, and with it all that it starts.
             place.process().destroy();
@@ -46,7 +50,7 @@ class PlaceInterruptionTest {
 
         assertThat(outcome.code()).as(outcome.err()).isEqualTo(143);
         assertThat(outcome.err())
-                .contains("interrupted: this is the best layout so far")
+                .contains("interrupted: this is the best layout so far; no attacks were flown")
                 .contains("coverage of candidates: stopped after ")
                 .doesNotContain("error")
                 .doesNotContain("Exception");
@@ -54,6 +58,7 @@ class PlaceInterruptionTest {
         JsonNode json = json("place.json");
         assertThat(json.get("complete").asBoolean()).isFalse();
         assertThat(json.get("chosen").size()).isPositive();
+        assertThat(json.has("campaign")).isFalse();
         assertWhole();
     }
 

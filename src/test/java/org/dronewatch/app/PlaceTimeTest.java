@@ -8,7 +8,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.campaign.CampaignRun;
+import org.dronewatch.campaign.CampaignSite;
 import org.dronewatch.placement.site.PlacedSite;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -30,9 +33,7 @@ class PlaceTimeTest {
                         .replace("[-135, 0], to: [165, 0], every: 50 m", "[-135, 0], to: [125, 0], every: 5 m"));
         Path scene = directory.resolve("site.yaml");
         Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
-        List<String> words = new ArrayList<>(List.of("place", file.toString(), "--quiet", "--gap=0"));
-        words.addAll(List.of(more));
-        return Program.run(words.toArray(String[]::new));
+        return run(List.of("place", file.toString(), "--quiet", "--gap=0"), more);
     }
 
     @ParameterizedTest
@@ -46,9 +47,7 @@ class PlaceTimeTest {
             })
     void everyObjectiveEndsWithAWholeLayout(String lines) throws IOException {
         Outcome outcome = place(lines + "\n", "--time=1ms", "--out=" + directory);
-        JsonNode json = JsonMapper.builder()
-                .build()
-                .readTree(directory.resolve("place.json").toFile());
+        JsonNode json = json();
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err()).doesNotContain("interrupted");
@@ -67,6 +66,45 @@ class PlaceTimeTest {
         assertThat(Program.run("check", directory.resolve("layout.yaml").toString())
                         .code())
                 .isZero();
+    }
+
+    /** Half a million attacks would take hours: those that are complete 10 s after the time count, the first ones. */
+    @Test
+    void attacksEndSoonAfterTheTime() throws IOException {
+        Path campaign = CampaignSite.in(directory, CampaignSite.TWO_RANGES);
+        Files.writeString(directory.resolve("radars.place.yaml"), PlaceAttacksTest.CANDIDATES);
+        List<String> words = List.of(
+                "place",
+                directory.resolve("radars.place.yaml").toString(),
+                "--campaign=" + campaign,
+                "--budgets=1",
+                "--out=" + directory);
+        Outcome outcome = run(words, "--time=1ms", "--runs=500000");
+        JsonNode json = json();
+        int flown = json.at("/campaign/variants/layout/n").asInt();
+        assertThat(flown).isBetween(1, 499_999).matches(number -> number % CampaignRun.CHUNK == 0);
+        Outcome whole = run(words, "--runs=" + flown);
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err()).doesNotContain("interrupted");
+        assertThat(outcome.out()).contains("10 s after the time limit of 0.001 s, the command had not completed");
+        assertThat(json.get("complete").asBoolean()).isFalse();
+        assertThat(json.get("stopped").get("left_out")).map(JsonNode::asString).contains("attacks");
+        assertThat(whole.code()).as(whole.err()).isZero();
+        assertThat(json.get("campaign").get("variants"))
+                .isEqualTo(json().get("campaign").get("variants"));
+    }
+
+    private static Outcome run(List<String> words, String... more) {
+        List<String> all = new ArrayList<>(words);
+        all.addAll(List.of(more));
+        return Program.run(all.toArray(String[]::new));
+    }
+
+    private JsonNode json() {
+        return JsonMapper.builder()
+                .build()
+                .readTree(directory.resolve("place.json").toFile());
     }
 
     @ParameterizedTest

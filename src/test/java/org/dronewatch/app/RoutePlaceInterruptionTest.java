@@ -10,7 +10,16 @@ import java.util.concurrent.TimeUnit;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.app.console.InterruptedLine;
+import org.dronewatch.app.search.PlaceFinder;
+import org.dronewatch.app.search.PlaceTask;
 import org.dronewatch.placement.RadarCandidates;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.site.FrontSearch;
+import org.dronewatch.report.placement.RoutePlaceResults;
+import org.dronewatch.run.store.StorePlace;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,8 +40,7 @@ class RoutePlaceInterruptionTest {
     @ParameterizedTest
     @ValueSource(strings = {"layouts and routes past them: done", "detection field: done"})
     void theLayoutIsWhole(String reached) throws Exception {
-        FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
-        Files.writeString(directory.resolve("ring.place.yaml"), PLACEMENT);
+        site();
         Outcome outcome;
         try (Child place = Program.start(
                 directory, List.of("-Xmx1g"), "place ring.place.yaml --threads 1 --progress --out .".split(" "))) {
@@ -58,6 +66,39 @@ class RoutePlaceInterruptionTest {
                         .code())
                 .isZero();
         assertThat(directory.resolve("report.html")).content().endsWith("</html>\n");
+    }
+
+    /** What an interruption leaves of the routes is flown; those past the scene's own sensors are not begun. */
+    @Test
+    void nothingElseIsFlown() throws IOException {
+        PlacePlan plan = plan();
+        try (InterruptedLine task = InterruptedLine.noticedAfter("routes: done")) {
+            RoutePlaceResults results = found(plan, task);
+
+            assertThat(results.layout()).isPresent();
+            assertThat(results.present()).isEmpty();
+            assertThat(results.isInterrupted()).isTrue();
+            assertThat(task.linesAfter())
+                    .anyMatch(line -> line.startsWith("looks along the routes: done"))
+                    .noneMatch(line -> line.startsWith("detection field"));
+        }
+    }
+
+    private PlacePlan plan() throws IOException {
+        return PlacePlan.read(site(), runner -> runner.store(StorePlace.NONE), note -> {});
+    }
+
+    /** The placement file, beside the scene. */
+    private Path site() throws IOException {
+        FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        return Files.writeString(directory.resolve("ring.place.yaml"), PLACEMENT);
+    }
+
+    private static RoutePlaceResults found(PlacePlan plan, InterruptedLine task) {
+        SolverLimits limits = new SolverLimits(
+                0.001, Double.POSITIVE_INFINITY, () -> task.interruption().happened());
+        PlaceTask place = PlaceTask.of(plan, limits, FrontSearch.MOST, task.interruption(), task.shown());
+        return (RoutePlaceResults) PlaceFinder.of(plan.settings().objective()).find(place);
     }
 
     private static void awaitText(Path file, String text) throws IOException, InterruptedException {

@@ -4,9 +4,9 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Turns Ctrl-C and a request to terminate into an orderly end. The thread of the command is interrupted, so that it
- * ends whatever it is doing, cleans up or writes what it has, and only then does the process end, with the exit code of
- * the signal.
+ * Turns Ctrl-C, a request to terminate, and the end of a time limit into an orderly end. The thread of the command is
+ * interrupted, so that it ends whatever it is doing, cleans up or writes what it has. Only then does the process end:
+ * after a signal, with its exit code.
  */
 public final class Interruption implements AutoCloseable {
     private static final long PATIENCE_SECONDS = 60;
@@ -16,6 +16,7 @@ public final class Interruption implements AutoCloseable {
     private final Thread hook = new Thread(this::stop, "interruption");
     private boolean finishing;
     private volatile boolean happened;
+    private volatile boolean outOfTime;
 
     /** Watches over what the calling thread does from now on, until it is closed. */
     public Interruption() {
@@ -42,9 +43,44 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
-    /** Whether the user has asked to stop. */
+    /** Whether the command is to stop: the user has asked for it, or its time is over. */
     public boolean happened() {
         return happened;
+    }
+
+    /** Whether the end of the time limit is what stops the command, and not an earlier request of the user. */
+    public boolean isOutOfTime() {
+        return outOfTime;
+    }
+
+    /**
+     * Limits the time of the command: once it is over, its thread is interrupted, unless it may finish by then.
+     *
+     * @param seconds time from now, s
+     */
+    public void limit(double seconds) {
+        long nanos = (long) (TimeUnit.SECONDS.toNanos(1) * seconds);
+        Thread timer = new Thread(
+                () -> {
+                    try {
+                        if (!ended.await(nanos, TimeUnit.NANOSECONDS)) {
+                            timeIsOver();
+                        }
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                    }
+                },
+                "time limit");
+        timer.setDaemon(true);
+        timer.start();
+    }
+
+    /** What the end of the time does; tests do it without waiting. */
+    synchronized void timeIsOver() {
+        if (!finishing && !happened) {
+            outOfTime = true;
+            interruptCommand();
+        }
     }
 
     /** From now on the command only writes what it has and may finish: its thread is not interrupted again. */

@@ -5,6 +5,7 @@ import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CheaperCoverage;
 import org.dronewatch.placement.site.CoveredCells;
 import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.placement.site.PlaceSearch;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.placement.CoveragePlaceResults;
@@ -29,6 +30,7 @@ final class CoveragePlaceFinder implements PlaceFinder {
                         cells.looks(sensors),
                         progress -> LayoutFields.of(front.best(), cells, progress))
                 : Optional.empty();
-        return new CoveragePlaceResults(front, fields);
+        boolean isMissing = fields.isEmpty() && !front.best().chosen().isEmpty();
+        return new CoveragePlaceResults(task.checked(front, LeftOut.COVERAGE, isMissing), fields);
     }
 }

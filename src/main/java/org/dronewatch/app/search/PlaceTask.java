@@ -6,6 +6,7 @@ import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.app.console.Interruption;
 import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.placement.PlacementSolver;
+import org.dronewatch.placement.SearchEnd;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.CandidateAdvice;
 import org.dronewatch.placement.plan.PlacePlan;
@@ -13,6 +14,7 @@ import org.dronewatch.placement.plan.PossibleLayouts;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CheaperLayouts;
 import org.dronewatch.placement.site.FrontSearch;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.report.placement.PlaceMeasure;
@@ -68,11 +70,25 @@ public record PlaceTask(
         if (interruption.happened()) {
             interruption.letFinish();
         }
+        limitTime();
+    }
+
+    /** To be called once the time of the search begins: if it is limited, so is the time of all that follows. */
+    void limitTime() {
+        limits.end().begin();
+        if (Double.isFinite(limits.end().seconds())) {
+            interruption.limit(limits.end().seconds() + SearchEnd.FOLLOW_UP);
+        }
     }
 
     /** Does a part of the work that reports how many steps it has done since the last time. */
     <T> T during(String part, long steps, Function<IntConsumer, T> work) {
         return shown.during(part, steps, work, interruption::happened);
+    }
+
+    /** The layouts with what the time limit has left out of what else is stated of them, if that is what is missing. */
+    <L extends PlacedLayout> BudgetFront<L> checked(BudgetFront<L> front, LeftOut part, boolean isMissing) {
+        return isMissing && interruption.isOutOfTime() ? front.without(part, limits) : front;
     }
 
     /** What lower budgets buy. */

@@ -3,6 +3,7 @@ package org.dronewatch.app.search;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
@@ -66,14 +67,19 @@ public final class RouteFinder {
             TimeToGo times = routes.timeToGo();
             progress.accept(1);
             RouteSurvey survey = RouteSurvey.of(
-                    routes,
-                    inputs.settings().alert().response(),
-                    sector -> progress.accept(1),
-                    interruption::letFinish);
+                    routes, inputs.settings().alert().response(), sector -> progress.accept(1), this::letFinish);
             return new Found(routes, survey, between, times);
         });
         return new RouteFlights(runner, inputs, interruption, shown, flights)
                 .of(found.routes(), found.survey(), found.between(), found.times());
+    }
+
+    /** The routes from some directions are worth flying for a user, but not once the time is over. */
+    private void letFinish() {
+        if (interruption.isOutOfTime()) {
+            throw new CancellationException("the time is over");
+        }
+        interruption.letFinish();
     }
 
     private List<ModeField> fields(List<FlightMode> modes) {

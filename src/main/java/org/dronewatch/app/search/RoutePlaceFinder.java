@@ -11,6 +11,7 @@ import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.placement.route.WeakestRouteSearch;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.Layout;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.report.placement.FlownLayout;
 import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.placement.RoutePlaceResults;
@@ -26,6 +27,7 @@ final class RoutePlaceFinder implements PlaceFinder {
     public PlaceResults find(PlaceTask task) {
         WeakestRouteSearch search = new WeakestRouteSearch(task.plan(), task.stage(), task.store(), task.solver());
         RouteLayouts layouts = task.during("rates of detection", search.looks(), search::assessed);
+        task.limitTime();
         return new Search(task, layouts).results();
     }
 
@@ -39,7 +41,7 @@ final class RoutePlaceFinder implements PlaceFinder {
 
         private Optional<FlownLayout> present = Optional.empty();
 
-        /** Whether an interruption has left out something. */
+        /** Whether an interruption or the time limit has left out something. */
         private boolean isCut;
 
         Search(PlaceTask task, RouteLayouts layouts) {
@@ -48,43 +50,48 @@ final class RoutePlaceFinder implements PlaceFinder {
         }
 
         RoutePlaceResults results() {
-            while (true) {
-                boolean isLast = isEnding();
-                RoutePlacement best = best();
-                BudgetFront<RoutePlacement> front = task.front(layouts.cheaper(best));
-                Optional<FlownLayout> layout = layout(front.best());
-                if (isLast || holds(front)) {
-                    return new RoutePlaceResults(front, layout, present, isCut);
-                }
-            }
+            return new ComparisonRounds(RouteLayouts.MOST_COMPARED, this::isEnding).result(this::round);
         }
 
-        /** The best layout, with the routes past it known as they are flown. */
-        private RoutePlacement best() {
-            while (true) {
-                // Once the search is to end, layouts are compared once more, on all routes known by then.
-                boolean isLast = isEnding();
-                RoutePlacement best = task.shown()
-                        .during(
-                                "layouts and routes past them",
-                                round -> layouts.found(task.limits(), tried -> round.accept(1)));
-                layout(best);
-                if (isLast || holds(best)) {
-                    return best;
-                }
+        /** The best layout and cheaper ones, with the routes past them known as they are flown, if all figures hold. */
+        private Optional<RoutePlaceResults> round(boolean isLast) {
+            RoutePlacement best = task.shown()
+                    .during(
+                            "layouts and routes past them",
+                            tried -> layouts.found(task.limits(), number -> tried.accept(1)));
+            layout(best);
+            if (!isLast && !holds(best)) {
+                return Optional.empty();
             }
+            BudgetFront<RoutePlacement> front = task.front(layouts.cheaper(best));
+            Optional<FlownLayout> layout = layout(front.best());
+            boolean isSettled = holds(front);
+            return isLast || isSettled
+                    ? Optional.of(results(front, layout, isSettled || isEnding()))
+                    : Optional.empty();
         }
 
-        /** Whether the user wants the end, or the time is over. */
+        private RoutePlaceResults results(
+                BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, boolean isSettled) {
+            BudgetFront<RoutePlacement> checked =
+                    task.checked(front, LeftOut.PARTS, !front.best().isWithParts());
+            return new RoutePlaceResults(
+                    task.checked(checked, LeftOut.FLIGHTS, isCut), layout, present, isCut, isSettled);
+        }
+
+        /**
+         * Whether the user wants the end, or nothing else can be flown in time. Once only the time of the search is over,
+         * layouts that have been tried are still compared as often as flights show other routes.
+         */
         private boolean isEnding() {
-            return task.limits().end().isDue();
+            return task.limits().end().isStopped() || task.interruption().happened();
         }
 
         private boolean holds(BudgetFront<RoutePlacement> front) {
             return front.points().stream().allMatch(point -> holds(point.layout()));
         }
 
-        /** Whether something has to be left out, since the user wants the end. */
+        /** Whether something has to be left out, since the user wants the end or the time is over. */
         private boolean cuts() {
             // What was interrupted may have cleared the interrupt status of the thread.
             isCut |= task.interruption().happened();

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.CheaperWarnings;
 import org.dronewatch.placement.site.LayoutWarnings;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.placement.site.WarningSearch;
 import org.dronewatch.report.placement.PlaceResults;
@@ -27,6 +28,7 @@ final class WarningPlaceFinder implements PlaceFinder {
                         search.looks(sensors),
                         progress -> search.compared(front.best(), progress))
                 : Optional.empty();
-        return new WarningPlaceResults(front, warnings);
+        boolean isMissing = warnings.isEmpty() && !front.best().chosen().isEmpty();
+        return new WarningPlaceResults(task.checked(front, LeftOut.WARNINGS, isMissing), warnings);
     }
 }

@@ -64,7 +64,7 @@ final class RouteFigures {
         try {
             return brief.with(parts(brief));
         } catch (CancellationException e) {
-            return brief.incomplete();
+            return brief.withoutParts();
         }
     }
 

@@ -29,6 +29,9 @@ import org.dronewatch.setting.Quantity;
  * budget and, starting from the routes that were found for it, for lower budgets. Not thread-safe.
  */
 public final class RouteLayouts {
+    /** The greatest number of times that layouts are compared because flights have shown other routes. */
+    public static final int MOST_COMPARED = 20;
+
     private final PlacePlan plan;
     private final RouteRows rows;
     private final RouteFigures figures;

@@ -109,12 +109,16 @@ public record RoutePlacement(
                 complete);
     }
 
-    /** The same after an interruption. */
-    RoutePlacement incomplete() {
-        return with(
-                new PlacementResult(result.chosen(), result.value(), result.bound(), result.cost(), false),
-                parts,
-                false);
+    /** Whether it states the figures of its parts and of the scene's own sensors, as far as there are any. */
+    public boolean isWithParts() {
+        boolean isBare =
+                result.chosen().isEmpty() && plan.present().enabledSensors().isEmpty();
+        return isBare || !parts.equals(RouteParts.NONE);
+    }
+
+    /** The same without figures of its parts, after an interruption. */
+    RoutePlacement withoutParts() {
+        return with(result, RouteParts.NONE, false);
     }
 
     private RoutePlacement with(PlacementResult found, RouteParts others, boolean isComplete) {

@@ -2,6 +2,7 @@ package org.dronewatch.placement.site;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.placement.SolverLimits;
 
 /**
  * The best layouts for several budgets: each costs more than the one before, and is worth more.
@@ -9,8 +10,8 @@ import java.util.Optional;
  * @param <L> a layout for some objective
  * @param points the layouts in ascending order of cost, at least one; the last is the one for the whole budget
  * @param tried the budgets that were tried, also those without a better layout
- * @param complete whether each search ran to completion
- * @param stopped what the time limit has stopped; empty if each search is complete, or was interrupted
+ * @param complete whether each search ran to completion, and no time limit has left out anything else
+ * @param stopped what the time limit has stopped; empty if that is nothing, or a search was interrupted
  */
 public record BudgetFront<L extends PlacedLayout>(
         List<FrontPoint<L>> points, TriedBudgets tried, boolean complete, Optional<TimeStop> stopped) {
@@ -22,6 +23,21 @@ public record BudgetFront<L extends PlacedLayout>(
     /** Layouts of searches that no time limit has stopped. */
     public BudgetFront(List<FrontPoint<L>> points, TriedBudgets tried, boolean complete) {
         this(points, tried, complete, Optional.empty());
+    }
+
+    /**
+     * The same when the time limit has left out something else, at least in part.
+     *
+     * @param limits of the searches
+     */
+    public BudgetFront<L> without(LeftOut part, SolverLimits limits) {
+        TimeStop stop = stopped.orElseGet(() -> new TimeStop(limits.end().seconds(), limits.gap(), true, false));
+        return new BudgetFront<>(points, tried, false, Optional.of(stop.with(part)));
+    }
+
+    /** Whether the time limit has left out something, at least in part. */
+    public boolean isWithout(LeftOut part) {
+        return stopped.filter(stop -> stop.leftOut().contains(part)).isPresent();
     }
 
     /** Whether a search was interrupted before it was complete. */

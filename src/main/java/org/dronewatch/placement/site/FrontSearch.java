@@ -63,13 +63,11 @@ public final class FrontSearch<L extends PlacedLayout> {
         List<FrontPoint<L>> points = points(bounded(found), asked, trials.nothing(), limits);
         boolean isWhole =
                 isCheaperWhole && points.get(points.size() - 1).layout().complete();
-        boolean isOutOfTime = !isWhole
-                && !isCancelled
-                && !limits.end().isStopped()
-                && limits.end().isTimeOver();
+        boolean isOutOfTime =
+                !isWhole && !limits.end().isStopped() && limits.end().isTimeOver();
         Optional<TimeStop> stopped = isOutOfTime
                 ? Optional.of(new TimeStop(
-                        limits.end().seconds(), limits.gap(), best.complete(), budgets > 1 && !isCheaperWhole))
+                        limits.end().seconds(), limits.gap(), best.result().complete(), budgets > 1 && !isCheaperWhole))
                 : Optional.empty();
         return new BudgetFront<>(points, trials.tried(), isWhole, stopped);
     }

@@ -1,12 +1,32 @@
 package org.dronewatch.placement.site;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * What a time limit has stopped.
  *
  * @param seconds the time limit, s
  * @param gap the gap to which layouts were sought, as a fraction of their value, 0 to 1
- * @param gapReached whether the layout for the whole budget has reached it: then only the search for cheaper layouts
- *     was stopped
+ * @param gapReached whether the layout for the whole budget has reached it
  * @param cheaper whether the search for cheaper layouts was stopped, or had no time left to begin
+ * @param leftOut what was not complete {@link org.dronewatch.placement.SearchEnd#FOLLOW_UP} later
  */
-public record TimeStop(double seconds, double gap, boolean gapReached, boolean cheaper) {}
+public record TimeStop(double seconds, double gap, boolean gapReached, boolean cheaper, List<LeftOut> leftOut) {
+    /** Copies the list. */
+    public TimeStop {
+        leftOut = List.copyOf(leftOut);
+    }
+
+    /** The stop of a search only. */
+    public TimeStop(double seconds, double gap, boolean gapReached, boolean cheaper) {
+        this(seconds, gap, gapReached, cheaper, List.of());
+    }
+
+    /** The same when something else was not complete, either. */
+    TimeStop with(LeftOut part) {
+        List<LeftOut> all = new ArrayList<>(leftOut);
+        all.add(part);
+        return new TimeStop(seconds, gap, gapReached, cheaper, all);
+    }
+}

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignResult;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.ComparedVariants;
 import org.dronewatch.report.html.Html;
@@ -24,8 +26,13 @@ import tools.jackson.databind.node.ObjectNode;
 public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, CampaignResult result, String again)
         implements FoundPlaceResults {
     @Override
+    public PlaceResults without(LeftOut part, SolverLimits limits) {
+        return new AttackedPlaceResults(found.without(part, limits), plan, result, again);
+    }
+
+    @Override
     public boolean isInterrupted() {
-        return found.isInterrupted() || !result.stopping().isReached();
+        return found.isInterrupted() || !result.stopping().isReached() && !front().isWithout(LeftOut.ATTACKS);
     }
 
     /** The contents of {@code place.json}: {@code campaign} has those of {@code campaign.json}. */

@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
@@ -15,7 +17,7 @@ import tools.jackson.databind.node.ObjectNode;
  *
  * @param front best layouts for several budgets
  * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search
- *     was interrupted before they were computed
+ *     was interrupted, or its time was over, before they were computed
  */
 public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<LayoutFields> fields)
         implements PlaceResults {
@@ -26,7 +28,13 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
 
     @Override
     public boolean isInterrupted() {
-        return front.isInterrupted() || fields.isEmpty() && !best().chosen().isEmpty();
+        return front.isInterrupted()
+                || fields.isEmpty() && !best().chosen().isEmpty() && !front.isWithout(LeftOut.COVERAGE);
+    }
+
+    @Override
+    public PlaceResults without(LeftOut part, SolverLimits limits) {
+        return new CoveragePlaceResults(front.without(part, limits), fields);
     }
 
     @Override

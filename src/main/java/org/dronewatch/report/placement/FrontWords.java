@@ -34,7 +34,7 @@ final class FrontWords {
         List<? extends FrontPoint<? extends PlacedLayout>> points = front.points();
         if (points.size() < 2) {
             lines.addAll(unanswered(front.tried(), Numbers::text));
-            front.stopped().map(TimeStopWords::sentence).ifPresent(lines::add);
+            front.stopped().map(TimeStopWords::sentences).ifPresent(lines::add);
             return lines;
         }
         lines.add("");
@@ -52,7 +52,7 @@ final class FrontWords {
             before = point.cost();
         }
         lines.addAll(tried(front.tried(), Numbers::text));
-        front.stopped().map(TimeStopWords::sentence).ifPresent(lines::add);
+        front.stopped().map(TimeStopWords::sentences).ifPresent(lines::add);
         return lines;
     }
 

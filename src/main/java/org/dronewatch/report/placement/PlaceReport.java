@@ -77,7 +77,7 @@ final class PlaceReport {
             page.warning("the search was interrupted: these are the results so far");
         }
         if (results.front().stopped().isPresent()) {
-            page.warning(TimeStopWords.sentence(results.front().stopped().get()));
+            page.warning(TimeStopWords.sentences(results.front().stopped().get()));
         }
         page.section("What to buy", purchases());
         page.section("What more money buys", front() + figures(pictures, FRONT::equals));

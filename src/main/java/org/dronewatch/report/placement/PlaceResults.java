@@ -2,7 +2,9 @@ package org.dronewatch.report.placement;
 
 import java.io.IOException;
 import java.util.List;
+import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
@@ -20,7 +22,14 @@ public interface PlaceResults {
     /** Whether an interruption has left out anything that was asked for. */
     boolean isInterrupted();
 
-    /** Whether nothing that was asked for was left out, because of an interruption or a time limit. */
+    /**
+     * The same when the time limit has left out something else, at least in part.
+     *
+     * @param limits of the search
+     */
+    PlaceResults without(LeftOut part, SolverLimits limits);
+
+    /** Whether nothing that was asked for was left out, because of an interruption or a limit. */
     default boolean complete() {
         return front().complete() && !isInterrupted();
     }

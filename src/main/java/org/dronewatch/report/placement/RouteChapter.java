@@ -47,7 +47,9 @@ final class RouteChapter {
             sections.add(new PlaceChapter.Section(
                     "The weakest routes", routes(layout) + PlaceReport.figures(pictures, name -> true)));
         }
-        return new PlaceChapter(new RouteSentences(best).lower(), pictures, sections, scope());
+        String verdict = new RouteSentences(best).lower()
+                + results.unsettled().map(sentence -> " " + sentence).orElse("");
+        return new PlaceChapter(verdict, pictures, sections, scope());
     }
 
     private String routes(FlownLayout layout) {

@@ -5,8 +5,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.route.RouteLayouts;
 import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.placement.site.BudgetFront;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -15,17 +18,23 @@ import tools.jackson.databind.node.ObjectNode;
  *
  * @param front best layouts for several budgets
  * @param layout the routes past the layout, as flown; empty if the layout has no sensor, its scene would be
- *     inconsistent, or the search was interrupted before they were computed
+ *     inconsistent, or the search was interrupted, or its time was over, before they were computed
  * @param present the routes past the scene's own sensors, as flown; empty if it has none, or for the reasons above
- * @param isCut whether an interruption has left out either of these
+ * @param isCut whether an interruption or the time limit has left out either of these
+ * @param isSettled whether the figures hold for all routes that flights have shown: if not, the layouts were compared
+ *     as often as they may be
  */
 public record RoutePlaceResults(
-        BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present, boolean isCut)
+        BudgetFront<RoutePlacement> front,
+        Optional<FlownLayout> layout,
+        Optional<FlownLayout> present,
+        boolean isCut,
+        boolean isSettled)
         implements PlaceResults {
     /** Results of a search that was not interrupted while routes were flown. */
     public RoutePlaceResults(
             BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present) {
-        this(front, layout, present, false);
+        this(front, layout, present, false, true);
     }
 
     @Override
@@ -36,9 +45,21 @@ public record RoutePlaceResults(
     @Override
     public boolean isInterrupted() {
         return front.isInterrupted()
-                || isCut
-                || Stream.of(layout, present).flatMap(Optional::stream).anyMatch(flown -> !flown.results()
-                        .isComplete());
+                || !front.isWithout(LeftOut.FLIGHTS)
+                        && (isCut
+                                || Stream.of(layout, present)
+                                        .flatMap(Optional::stream)
+                                        .anyMatch(flown -> !flown.results().isComplete()));
+    }
+
+    @Override
+    public boolean complete() {
+        return PlaceResults.super.complete() && isSettled;
+    }
+
+    @Override
+    public PlaceResults without(LeftOut part, SolverLimits limits) {
+        return new RoutePlaceResults(front.without(part, limits), layout, present, isCut, isSettled);
     }
 
     @Override
@@ -58,8 +79,18 @@ public record RoutePlaceResults(
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
         lines.addAll(new FrontWords(measure()).lines(front));
+        unsettled().ifPresent(lines::add);
         layout.ifPresent(flown -> lines.addAll(new FlownTable(flown, present, best()).lines()));
         return lines;
+    }
+
+    /** That flights may show weaker routes than the figures promise, in a sentence; empty if they do not. */
+    Optional<String> unsettled() {
+        return isSettled
+                ? Optional.empty()
+                : Optional.of("After flights along routes, layouts are compared again at most "
+                        + RouteLayouts.MOST_COMPARED + " times; by then, flights past these layouts still showed weaker"
+                        + " routes than the search had promised.");
     }
 
     @Override

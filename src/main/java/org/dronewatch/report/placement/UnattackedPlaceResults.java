@@ -1,18 +1,26 @@
 package org.dronewatch.report.placement;
 
 import java.io.IOException;
+import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a search for placements found, without the attacks that were to be flown: an interruption has left them out.
+ * What a search for placements found, without the attacks that were to be flown: an interruption or the time limit
+ * has left them out.
  *
  * @param found by the search
  */
 public record UnattackedPlaceResults(PlaceResults found) implements FoundPlaceResults {
     @Override
+    public PlaceResults without(LeftOut part, SolverLimits limits) {
+        return new UnattackedPlaceResults(found.without(part, limits));
+    }
+
+    @Override
     public boolean isInterrupted() {
-        return true;
+        return !front().isWithout(LeftOut.ATTACKS);
     }
 
     @Override

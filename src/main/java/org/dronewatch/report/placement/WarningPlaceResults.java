@@ -5,8 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LayoutWarnings;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.report.coverage.table.WarningTable;
 import org.dronewatch.report.file.Numbers;
@@ -18,7 +20,7 @@ import tools.jackson.databind.node.ObjectNode;
  *
  * @param front best layouts for several budgets
  * @param warnings of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search was
- *     interrupted before they were computed
+ *     interrupted, or its time was over, before they were computed
  */
 public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<LayoutWarnings> warnings)
         implements PlaceResults {
@@ -29,7 +31,13 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
 
     @Override
     public boolean isInterrupted() {
-        return front.isInterrupted() || warnings.isEmpty() && !best().chosen().isEmpty();
+        return front.isInterrupted()
+                || warnings.isEmpty() && !best().chosen().isEmpty() && !front.isWithout(LeftOut.WARNINGS);
+    }
+
+    @Override
+    public PlaceResults without(LeftOut part, SolverLimits limits) {
+        return new WarningPlaceResults(front.without(part, limits), warnings);
     }
 
     @Override

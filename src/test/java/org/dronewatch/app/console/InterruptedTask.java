@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  */
 public final class InterruptedTask implements AutoCloseable {
     private final int when;
+    private final boolean isByTime;
     private final AtomicInteger moments = new AtomicInteger();
     private final Interruption interruption = new Interruption();
 
@@ -19,12 +20,27 @@ public final class InterruptedTask implements AutoCloseable {
      * @param when the number of the moment at which it is interrupted, from 1; 0 for never
      */
     public InterruptedTask(int when) {
+        this(when, false);
+    }
+
+    private InterruptedTask(int when, boolean isByTime) {
         this.when = when;
+        this.isByTime = isByTime;
+    }
+
+    /** A task whose time is over at a moment; arguments as above. */
+    public static InterruptedTask outOfTime(int when) {
+        return new InterruptedTask(when, true);
     }
 
     /** One more moment. */
     public void moment() {
-        if (moments.incrementAndGet() == when) {
+        if (moments.incrementAndGet() != when) {
+            return;
+        }
+        if (isByTime) {
+            interruption.timeIsOver();
+        } else {
             interruption.interruptCommand();
         }
     }

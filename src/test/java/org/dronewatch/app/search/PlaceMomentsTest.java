@@ -19,10 +19,12 @@ import org.dronewatch.app.Program;
 import org.dronewatch.app.console.InterruptedTask;
 import org.dronewatch.placement.RadarCandidates;
 import org.dronewatch.placement.SolverLimits;
+import org.dronewatch.placement.TimeOver;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.route.WeakestRouteSearch;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.FrontSearch;
+import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.placement.site.PlacedLayout;
 import org.dronewatch.placement.site.PlacedSite;
 import org.dronewatch.placement.solver.ExactSolver;
@@ -44,6 +46,7 @@ import tools.jackson.databind.node.ObjectNode;
  */
 class PlaceMomentsTest {
     private static final String COMPLETE = "complete";
+    private static final String STOPPED = "stopped";
 
     /** How many moments are tried besides the first and the last ones. */
     private static final int MOMENTS = LongForm.count(10, 1000);
@@ -68,15 +71,28 @@ class PlaceMomentsTest {
                 task.moment();
                 return task.interruption().happened();
             });
-            PlaceTask place = PlaceTask.of(plan, limits, FrontSearch.MOST, task.interruption(), task.shown());
-            Optional<PlaceResults> results;
-            try {
-                results =
-                        Optional.of(PlaceFinder.of(plan.settings().objective()).find(place));
-            } catch (CancellationException e) {
-                results = Optional.empty();
-            }
-            return new Found(results, task.moments());
+            return found(plan, task, limits);
+        }
+    }
+
+    private static Found found(PlacePlan plan, InterruptedTask task, SolverLimits limits) {
+        PlaceTask place = PlaceTask.of(plan, limits, FrontSearch.MOST, task.interruption(), task.shown());
+        Optional<PlaceResults> results;
+        try {
+            results = Optional.of(PlaceFinder.of(plan.settings().objective()).find(place));
+        } catch (CancellationException e) {
+            results = Optional.empty();
+        }
+        return new Found(results, task.moments());
+    }
+
+    /** The time of the search is over at once, and that of all else at a moment, 0 for never. */
+    private static Found foundInTime(PlacePlan plan, int when) {
+        try (InterruptedTask task = InterruptedTask.outOfTime(when)) {
+            return found(plan, task, TimeOver.limits(0.001, () -> {
+                task.moment();
+                return false;
+            }));
         }
     }
 
@@ -98,6 +114,51 @@ class PlaceMomentsTest {
         Path scene = directory.resolve("site.yaml");
         Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
         assertWholeAtAllMoments(plan(file), 1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "objective: coverage\nbudget: 6\n",
+                "objective: warning-time\nwarning: mean\nbudget: 6\n",
+            })
+    void whatIsNotCompleteInTimeIsNamed(String lines) throws IOException {
+        Path file = PlacedSite.in(directory, lines);
+        Path scene = directory.resolve("site.yaml");
+        Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        assertNamedAtAllMoments(plan(file));
+    }
+
+    @Test
+    void whatIsNotCompleteInTimeIsNamedOfRoutes() throws IOException {
+        FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        assertNamedAtAllMoments(plan(Files.writeString(directory.resolve("ring.place.yaml"), ROUTE_CANDIDATES)));
+    }
+
+    private void assertNamedAtAllMoments(PlacePlan plan) throws IOException {
+        Found all = foundInTime(plan, 0);
+        PlaceResults whole = all.results().orElseThrow();
+        assertThat(whole.front().stopped().orElseThrow().leftOut()).isEmpty();
+        int incomplete = 0;
+        for (int when : moments(all.moments())) {
+            Optional<PlaceResults> found = foundInTime(plan, when).results();
+            if (found.isPresent()) {
+                PlaceResults results = found.get();
+                List<LeftOut> leftOut = results.front().stopped().orElseThrow().leftOut();
+                String moment = "moment " + when + " of " + all.moments() + ": " + leftOut;
+                assertThat(results.isInterrupted()).as(moment).isFalse();
+                assertThat(results.complete()).as(moment).isFalse();
+                assertThat(results.toJson().get(STOPPED).get("left_out").size())
+                        .as(moment)
+                        .isEqualTo(leftOut.size());
+                assertThat(leftOut.isEmpty()).as(moment).isEqualTo(isSame(results, whole));
+                assertThat(String.join("\n", results.lines()).contains("10 s after the time limit of "))
+                        .as(moment)
+                        .isEqualTo(!leftOut.isEmpty());
+                incomplete += leftOut.isEmpty() ? 0 : 1;
+            }
+        }
+        assertThat(incomplete).isPositive();
     }
 
     /** Before the first layout has been compared with the routes past it, there is none. */
@@ -156,13 +217,21 @@ class PlaceMomentsTest {
         return moments;
     }
 
-    /** Whether nothing that is printed or written is missing but the flag. */
+    /** Whether nothing that is printed or written is missing but that something is. */
     private static boolean isSame(PlaceResults results, PlaceResults whole) {
-        ObjectNode its = results.toJson();
-        its.remove(COMPLETE);
-        ObjectNode all = whole.toJson();
-        all.remove(COMPLETE);
-        return its.equals(all) && results.lines().equals(whole.lines());
+        return json(results).equals(json(whole)) && lines(results).equals(lines(whole));
+    }
+
+    private static ObjectNode json(PlaceResults results) {
+        ObjectNode json = results.toJson();
+        json.remove(List.of(COMPLETE, STOPPED));
+        return json;
+    }
+
+    private static List<String> lines(PlaceResults results) {
+        return results.lines().stream()
+                .filter(line -> !line.contains(" time limit of "))
+                .toList();
     }
 
     private void assertWhole(PlaceResults results, PlacePlan plan, String moment) throws IOException {
