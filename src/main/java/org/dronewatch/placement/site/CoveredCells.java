@@ -36,6 +36,7 @@ import org.dronewatch.setting.Spelling;
 public final class CoveredCells {
     /** The number of cells along a side unless the length of a cell is given. */
     private static final double CELLS = 50.0;
+    private static final double NANOMETRES = 1e9;
 
     /** Maximum number of rows. */
     private static final int MOST = 2_000_000;
@@ -95,6 +96,16 @@ public final class CoveredCells {
         return List.of(Course.inbound(InboundTarget.of(plan.present(), stage.protection(), grid)));
     }
 
+    /**
+     * A coordinate of a middle in whole nanometres: commands that name it again, without loss, are then not full of
+     * digits that rounding has left.
+     *
+     * @param coordinate m
+     */
+    static double printable(double coordinate) {
+        return Math.rint(NANOMETRES * coordinate) / NANOMETRES;
+    }
+
     private static FieldGrid grid(PlacePlan plan) {
         AirSettings air = plan.settings().air();
         try {
@@ -113,7 +124,7 @@ public final class CoveredCells {
                     .mapToDouble(one -> one.sensor().position().y())
                     .average()
                     .orElse(0.0);
-            return FieldGrid.square(east, north, air.square(), air.cell().orElse(air.square() / CELLS), air.levels());
+            return FieldGrid.square(printable(east), printable(north), air.square(), air.cell().orElse(air.square() / CELLS), air.levels());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

@@ -95,7 +95,8 @@ public final class FrontSearch<L extends PlacedLayout> {
             boolean isLast = at == found.size() - 1;
             L layout = found.get(at);
             double least = before.map(PlacedLayout::value).orElse(atLeast);
-            boolean isAlike = before.isPresent() && text.apply(layout.value()).equals(text.apply(least));
+            boolean isCompared = before.isPresent() || nothing.isPresent() && !isLast;
+            boolean isAlike = isCompared && text.apply(layout.value()).equals(text.apply(least));
             if (!isAlike && layouts.isBetter(layout, least, limits)) {
                 points.add(point(budgets.get(at), before, layout));
             } else if (before.isEmpty() && isLast) {

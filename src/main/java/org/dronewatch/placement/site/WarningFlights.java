@@ -63,7 +63,8 @@ final class WarningFlights {
             }
             Position middle = InboundTarget.of(plan.present(), stage.protection());
             double side = air.square();
-            return FieldGrid.square(middle.x(), middle.y(), side, air.cell().orElse(side / CELLS), air.levels());
+            return FieldGrid.square(
+                    CoveredCells.printable(middle.x()), CoveredCells.printable(middle.y()), side, air.cell().orElse(side / CELLS), air.levels());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

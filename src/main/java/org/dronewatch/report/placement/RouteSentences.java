@@ -75,9 +75,10 @@ final class RouteSentences {
     /** What is certain of the routes that the search did not find. */
     String lower() {
         return best.lower() > 0.0
-                ? "No route past the layout has an exposure below " + exposure(best.lower()) + " ("
-                        + detected(best.lower()) + ")" + (isConditioned() ? " under any condition" : "")
-                        + ": this is proven."
+                ? "The exposure on every route past the layout is "
+                        + (best.lower() >= WeakestRouteSearch.ENOUGH ? "" : "at least ")
+                        + exposure(best.lower()) + " (" + detected(best.lower()) + ")"
+                        + (isConditioned() ? " under any condition" : "") + ": this is proven."
                 : "For routes that the search did not find, no lower bound on the exposure is proven.";
     }
 
