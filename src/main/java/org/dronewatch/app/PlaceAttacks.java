@@ -158,13 +158,18 @@ final class PlaceAttacks {
             variants.put(TODAY, Map.of());
         }
         CampaignPlan attacks = plan(settings(plan, seed).withVariants(variants), plan, layout);
+        Optional<Integer> given = Optional.ofNullable(runs);
         SummedCases kept = new SummedCases(attacks);
         boolean isWhole = runner.run(new CampaignRun(attacks), kept, "attacks");
-        return new AttackedPlaceResults(
-                isWhole ? results : incomplete(results, limits, interruption),
-                attacks,
-                kept.result(),
-                again(plan, seed, overrides));
+        if (isWhole) {
+            return new AttackedPlaceResults(results, attacks, kept.result(), again(plan, seed, overrides, given));
+        }
+        PlaceResults incomplete = incomplete(results, limits, interruption);
+        int flown = kept.result().summary().variants().get(LAYOUT).cases();
+        return flown == 0
+                ? new UnattackedPlaceResults(incomplete)
+                : new AttackedPlaceResults(
+                        incomplete, attacks, kept.result(), again(plan, seed, overrides, Optional.of(flown)));
     }
 
     /** The results without all of the attacks: for a user who does not wait, or since the time is over. */
@@ -172,15 +177,19 @@ final class PlaceAttacks {
         return interruption.isOutOfTime() ? results.without(LeftOut.ATTACKS, limits) : results;
     }
 
-    /** The comparison that gives the same figures. */
-    private String again(PlacePlan plan, Optional<Long> seed, List<String> overrides) {
+    /**
+     * The comparison that gives the same figures.
+     *
+     * @param cases number of attacks, in place of the one in the campaign file
+     */
+    private String again(PlacePlan plan, Optional<Long> seed, List<String> overrides, Optional<Integer> cases) {
         StringBuilder words = new StringBuilder("compare layout.yaml ")
                 .append(ShellWord.of(plan.settings().scene()))
                 .append(" --vary ")
                 .append(ShellWord.of(file));
         overrides.forEach(one -> words.append(" --set ").append(ShellWord.of(one)));
         return words
-                + (runs == null ? "" : " --runs " + runs)
+                + cases.map(one -> " --runs " + one).orElse("")
                 + seed.map(one -> " --seed " + one).orElse("");
     }
 }

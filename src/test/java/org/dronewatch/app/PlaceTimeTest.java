@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSite;
@@ -81,8 +82,9 @@ class PlaceTimeTest {
                 "--out=" + directory);
         Outcome outcome = run(words, "--time=1ms", "--runs=500000");
         JsonNode json = json();
-        int flown = json.at("/campaign/variants/layout/n").asInt();
+        int flown = json.at("/campaign/variants/layout/n").asInt(0);
         assertThat(flown).isBetween(1, 499_999).matches(number -> number % CampaignRun.CHUNK == 0);
+        String report = Files.readString(directory.resolve("report.html"));
         Outcome whole = run(words, "--runs=" + flown);
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
@@ -90,6 +92,10 @@ class PlaceTimeTest {
         assertThat(outcome.out()).contains("10 s after the time limit of 0.001 s, the command had not completed");
         assertThat(json.get("complete").asBoolean()).isFalse();
         assertThat(json.get("stopped").get("left_out")).map(JsonNode::asString).contains("attacks");
+        assertThat(outcome.out()).contains(" --runs " + flown + "' gives the same figures of the attacks");
+        assertThat(report)
+                .contains(String.format(Locale.ROOT, "The attacks are %,d runs of the scene", flown))
+                .doesNotContain("..</");
         assertThat(whole.code()).as(whole.err()).isZero();
         assertThat(json.get("campaign").get("variants"))
                 .isEqualTo(json().get("campaign").get("variants"));

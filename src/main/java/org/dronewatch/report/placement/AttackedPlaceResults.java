@@ -54,11 +54,16 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
                 "The same attacks against the layout" + (plan.variants().size() > 1 ? " and today's sensors" : ""),
                 variants.html() + Html.plain("p", sentence())));
         List<String> scope = new ArrayList<>(chapter.scope());
-        scope.add("The attacks are " + Counted.of(plan.size(), "run") + " of the scene with each layout, with values"
+        scope.add("The attacks are " + Counted.of(flown(), "run") + " of the scene with each layout, with values"
                 + " drawn at random: " + String.join(", ", plan.paths()) + ".");
         scope.addAll(variants.doubts());
         return new PlaceChapter(
                 (chapter.verdict() + " " + variants.verdict()).strip(), chapter.pictures(), sections, scope);
+    }
+
+    /** The number of attacks that were flown against each layout. */
+    private int flown() {
+        return result.summary().variants().values().iterator().next().cases();
     }
 
     /** How to get the same figures of the campaign again. */

@@ -77,7 +77,8 @@ final class PlaceReport {
             page.warning("the search was interrupted: these are the results so far");
         }
         if (results.front().stopped().isPresent()) {
-            page.warning(TimeStopWords.sentences(results.front().stopped().get()));
+            // The page closes a warning with a full stop.
+            page.warning(TimeStopWords.sentences(results.front().stopped().get()).replaceFirst("[.]$", ""));
         }
         page.section("What to buy", purchases());
         page.section("What more money buys", front() + figures(pictures, FRONT::equals));
