@@ -36,6 +36,7 @@ import org.dronewatch.setting.Spelling;
 public final class CoveredCells {
     /** The number of cells along a side unless the length of a cell is given. */
     private static final double CELLS = 50.0;
+
     private static final double NANOMETRES = 1e9;
 
     /** Maximum number of rows. */
@@ -124,7 +125,12 @@ public final class CoveredCells {
                     .mapToDouble(one -> one.sensor().position().y())
                     .average()
                     .orElse(0.0);
-            return FieldGrid.square(printable(east), printable(north), air.square(), air.cell().orElse(air.square() / CELLS), air.levels());
+            return FieldGrid.square(
+                    printable(east),
+                    printable(north),
+                    air.square(),
+                    air.cell().orElse(air.square() / CELLS),
+                    air.levels());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

@@ -64,7 +64,11 @@ final class WarningFlights {
             Position middle = InboundTarget.of(plan.present(), stage.protection());
             double side = air.square();
             return FieldGrid.square(
-                    CoveredCells.printable(middle.x()), CoveredCells.printable(middle.y()), side, air.cell().orElse(side / CELLS), air.levels());
+                    CoveredCells.printable(middle.x()),
+                    CoveredCells.printable(middle.y()),
+                    side,
+                    air.cell().orElse(side / CELLS),
+                    air.levels());
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }

@@ -78,7 +78,8 @@ final class PlaceReport {
         }
         if (results.front().stopped().isPresent()) {
             // The page closes a warning with a full stop.
-            page.warning(TimeStopWords.sentences(results.front().stopped().get()).replaceFirst("[.]$", ""));
+            page.warning(
+                    TimeStopWords.sentences(results.front().stopped().get()).replaceFirst("[.]$", ""));
         }
         page.section("What to buy", purchases());
         page.section("What more money buys", front() + figures(pictures, FRONT::equals));
