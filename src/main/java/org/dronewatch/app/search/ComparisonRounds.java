@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /**
- * Rounds in which layouts are compared on all known routes and flown, until flights show no routes that matter. Asked to
- * end between two rounds, it compares layouts once more, on all routes known by then.
+ * Rounds in which layouts are compared on all known routes and flown, until flights show no routes that matter. Asked
+ * to end between two rounds, it compares layouts once more, on all routes known by then.
  *
  * @param most greatest number of rounds, 1 or more
  * @param isEnding queried before each round

@@ -80,8 +80,8 @@ final class RoutePlaceFinder implements PlaceFinder {
         }
 
         /**
-         * Whether the user wants the end, or nothing else can be flown in time. Once only the time of the search is over,
-         * layouts that have been tried are still compared as often as flights show other routes.
+         * Whether the user wants the end, or nothing else can be flown in time. Once only the time of the search is
+         * over, layouts that have been tried are still compared as often as flights show other routes.
          */
         private boolean isEnding() {
             return task.limits().end().isStopped() || task.interruption().happened();

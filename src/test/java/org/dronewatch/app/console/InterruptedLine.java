@@ -27,8 +27,8 @@ public final class InterruptedLine implements AutoCloseable {
     }
 
     /**
-     * The same, but the thread is only told: something has noticed the interrupt and lets the rest finish, as the search
-     * for routes does once it has one from the first direction.
+     * The same, but the thread is only told: something has noticed the interrupt and lets the rest finish, as the
+     * search for routes does once it has one from the first direction.
      */
     public static InterruptedLine noticedAfter(String start) {
         return new InterruptedLine(start, Thread::interrupted);
