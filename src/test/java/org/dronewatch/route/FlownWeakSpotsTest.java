@@ -157,6 +157,7 @@ class FlownWeakSpotsTest {
                 search.assess(done -> {});
                 search.avoidLateDetections();
                 search.repeat(done -> {});
+                search.avoidLateDetections();
                 SectorRoute route = search.survey().routes().get(0);
                 FlownRoute flown = FlownRoute.toProve(scene(settings, routes, route), runner.load(settings), RUNS);
                 RouteFlight straight = RouteFlight.of(

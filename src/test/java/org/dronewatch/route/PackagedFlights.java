@@ -119,6 +119,7 @@ final class PackagedFlights {
         search.assess(route -> {});
         search.avoidLateDetections();
         search.repeat(repetition -> {});
+        search.avoidLateDetections();
         return search.survey().routes().stream()
                 .limit(directions)
                 .flatMap(route -> scene(routes, route).stream())

@@ -83,19 +83,14 @@ final class RouteFlights {
                 search.assess(progress);
                 return all;
             });
-            if (search.isTooLate()) {
-                shown.during("routes past later detections", 1, progress -> {
-                    search.avoidLateDetections();
-                    progress.accept(1);
-                    return all;
-                });
-            }
+            avoidLateDetections(search);
             if (search.isNeeded()) {
                 shown.during("routes past what flights have shown", RepeatedSearch.MOST, progress -> {
                     search.repeat(progress);
                     return all;
                 });
             }
+            avoidLateDetections(search);
             shown.during("flights", (long) runs * all, progress -> {
                 if (runs > 0) {
                     flown(search)
@@ -112,6 +107,16 @@ final class RouteFlights {
             return results(search, between, times, false);
         }
         return results(search, between, times, survey.isComplete());
+    }
+
+    private void avoidLateDetections(RepeatedSearch search) {
+        if (search.isTooLate()) {
+            shown.during("routes past later detections", 1, progress -> {
+                search.avoidLateDetections();
+                progress.accept(1);
+                return 1;
+            });
+        }
     }
 
     private RouteResults results(RepeatedSearch search, UnseenPlaces between, TimeToGo times, boolean isComplete) {

@@ -1,8 +1,10 @@
 package org.dronewatch.route.proof;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
@@ -29,6 +31,9 @@ public final class RepeatedSearch {
 
     /** By sector, in the order of the routes. */
     private final Map<Integer, SectorRoute> kept = new LinkedHashMap<>();
+
+    /** The sectors for which routes have been searched for that are least exposed all the way. */
+    private final Set<Integer> avoided = new HashSet<>();
 
     /**
      * A search that may be repeated.
@@ -57,14 +62,15 @@ public final class RepeatedSearch {
         }
     }
 
-    /** Whether drones are detected too late on a route. */
+    /** Whether drones are detected too late on a route from a sector for which that was not yet avoided. */
     public boolean isTooLate() {
         return !detectedTooLate().isEmpty();
     }
 
     /**
      * Searches, for the sectors from which drones are detected too late, for the routes that are least exposed all the
-     * way, and assesses the looks along them: no more of them may be detected in time on these, but fewer in all.
+     * way, and assesses the looks along them: no more of them may be detected in time on these, but fewer in all. Once
+     * for each sector; to be called again after the search has been {@linkplain #repeat repeated}.
      *
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
      *     kept, and so is its interrupt status
@@ -72,6 +78,7 @@ public final class RepeatedSearch {
     public void avoidLateDetections() {
         Map<Integer, WeakestRoute> before = new LinkedHashMap<>();
         detectedTooLate().forEach((sector, route) -> before.put(sector, route.route()));
+        avoided.addAll(before.keySet());
         if (!before.isEmpty()) {
             site.throughout(before).forEach(this::tryRoute);
         }
@@ -96,7 +103,7 @@ public final class RepeatedSearch {
     }
 
     private Map<Integer, SectorRoute> detectedTooLate() {
-        return keptThat(route -> route.isDetectedTooLate(survey.response()));
+        return keptThat(route -> !avoided.contains(route.sector()) && route.isDetectedTooLate(survey.response()));
     }
 
     private Map<Integer, SectorRoute> keptThat(Predicate<SectorRoute> isMeant) {

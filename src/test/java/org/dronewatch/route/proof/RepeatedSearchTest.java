@@ -107,6 +107,32 @@ class RepeatedSearchTest {
         assertThat(progress).hasValue(0);
     }
 
+    /** As many are detected in time on the route that is least exposed all the way, but none at all. */
+    @Test
+    void lateDetectionsAreAvoided() {
+        RepeatedSearch search = searching(number -> new double[] {0.0, number == 0 ? 3.0 : 0.0});
+        search.assess(progress::addAndGet);
+        assertThat(search.isTooLate()).isTrue();
+        search.avoidLateDetections();
+
+        assertThat(assessed).hasSize(2);
+        assertThat(search.survey().routes().get(SOUTH)).isSameAs(assessed.get(1));
+        assertThat(search.isTooLate()).isFalse();
+    }
+
+    /** Not at the price of detections in time; and each sector is searched once. */
+    @Test
+    void lateDetectionsAreBetterThanTimelyOnes() {
+        RepeatedSearch search = searching(number -> number == 0 ? new double[] {0.0, 3.0} : new double[] {0.01, 0.0});
+        search.assess(progress::addAndGet);
+        search.avoidLateDetections();
+        search.avoidLateDetections();
+
+        assertThat(assessed).hasSize(2);
+        assertThat(search.survey().routes().get(SOUTH)).isSameAs(assessed.get(0));
+        assertThat(search.isTooLate()).isFalse();
+    }
+
     /** Nothing detects the drone on the route round the place at which the looks detected it before. */
     @Test
     void theSearchIsRepeatedUntilItExpectsTheLooks() {
