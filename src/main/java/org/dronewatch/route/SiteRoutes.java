@@ -9,9 +9,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.drone.Drone;
@@ -23,6 +25,7 @@ import org.dronewatch.route.search.EnduranceLimit;
 import org.dronewatch.route.search.RouteExposure;
 import org.dronewatch.route.search.RouteGrid;
 import org.dronewatch.route.search.RouteMode;
+import org.dronewatch.route.search.RoutePath;
 import org.dronewatch.route.search.RouteProblem;
 import org.dronewatch.route.search.TimeToGo;
 import org.dronewatch.route.search.WeakestRoute;
@@ -167,7 +170,13 @@ public final class SiteRoutes {
      * @return by sector, the weakest routes of this search; sectors without a route that is short enough are left out
      */
     public Map<Integer, WeakestRoute> past(Map<Integer, WeakestRoute> routes, ExposureField more) {
-        return again(routes, past.apply(more));
+        WeakestRoutes again = past.apply(more);
+        Map<Integer, WeakestRoute> others = new LinkedHashMap<>();
+        routes.forEach((sector, before) -> again.from(starts(sector))
+                .map(route -> described(endurance.hastenedAtTheEnd(this.routes, route.path()), before))
+                .filter(endurance::allows)
+                .ifPresent(route -> others.put(sector, route)));
+        return others;
     }
 
     /**
@@ -175,20 +184,32 @@ public final class SiteRoutes {
      * drone hurries from the point on from which they come too late, although it might stay undetected on a slower way.
      *
      * @param routes the weakest routes so far, by sector
-     * @return by sector, the weakest routes of this search, with the exposure as far as a detection counts; sectors
-     *     without a route that is short enough are left out
+     * @param searched receives 1 for each sector that was searched
+     * @return by sector, the weakest route of this search, with the exposure as far as a detection counts; where it is
+     *     too long, it is hastened where that costs the least, and also where it costs no detection in time. Sectors
+     *     without a route that is short enough have none
      */
-    public Map<Integer, WeakestRoute> throughout(Map<Integer, WeakestRoute> routes) {
-        return again(routes, throughout.get());
+    public Map<Integer, List<WeakestRoute>> throughout(Map<Integer, WeakestRoute> routes, IntConsumer searched) {
+        WeakestRoutes again = throughout.get();
+        Map<Integer, List<WeakestRoute>> others = new LinkedHashMap<>();
+        routes.forEach((sector, before) -> {
+            List<RoutePath> paths = again.from(starts(sector)).map(WeakestRoute::path).stream()
+                    .flatMap(path -> Stream.of(endurance.hastened(path), endurance.hastenedAtTheEnd(this.routes, path)))
+                    .distinct()
+                    .toList();
+            others.put(
+                    sector,
+                    paths.stream()
+                            .map(path -> described(path, before))
+                            .filter(endurance::allows)
+                            .toList());
+            searched.accept(1);
+        });
+        return others;
     }
 
-    private Map<Integer, WeakestRoute> again(Map<Integer, WeakestRoute> routes, WeakestRoutes again) {
-        Map<Integer, WeakestRoute> others = new LinkedHashMap<>();
-        routes.forEach((sector, before) -> again.from(starts(sector))
-                .map(route -> this.routes.described(endurance.hastened(this.routes, route.path()), before.lower()))
-                .filter(endurance::allows)
-                .ifPresent(route -> others.put(sector, route)));
-        return others;
+    private WeakestRoute described(RoutePath path, WeakestRoute before) {
+        return routes.described(path, before.lower());
     }
 
     /** The nodes between which routes lead. */

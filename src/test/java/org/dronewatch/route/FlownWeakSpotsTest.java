@@ -155,9 +155,9 @@ class FlownWeakSpotsTest {
                         route -> route.with(FlownRoute.of(scene(settings, routes, route), runner.load(settings))
                                 .exposure()));
                 search.assess(done -> {});
-                search.avoidLateDetections();
+                search.avoidLateDetections(done -> {});
                 search.repeat(done -> {});
-                search.avoidLateDetections();
+                search.avoidLateDetections(done -> {});
                 SectorRoute route = search.survey().routes().get(0);
                 FlownRoute flown = FlownRoute.toProve(scene(settings, routes, route), runner.load(settings), RUNS);
                 RouteFlight straight = RouteFlight.of(
@@ -282,6 +282,18 @@ class FlownWeakSpotsTest {
         assertThat(slow.route().inTime(RESPONSE)).isLessThan(1e-3);
         assertThat(slow.route().detection()).isBetween(0.1, 0.7);
         assertThat(slow.proof().agrees()).isTrue();
+    }
+
+    /** Out of the radar's range, it hurries at the beginning, and arrives unseen. */
+    @Test
+    void itHurriesAtTheBeginningIfThatSuffices() throws IOException {
+        String radar = RADAR.formatted("[0, 0, 4]", 8).replace("range: 200", "range: 100");
+        String endurance = "performance: {endurance: 33.6 s}";
+        Flown slow = fly(world("hut.obj", WALL, "building"), radar, endurance, RESPONSE, EAST);
+
+        assertThat(slow.straight().exposure().detection(Double.POSITIVE_INFINITY))
+                .isGreaterThan(0.99);
+        assertThat(slow.route().detection()).isLessThan(1e-3);
     }
 
     /** The slower a drone, the more looks a corner takes: not even corners may lie beyond the blind headings. */

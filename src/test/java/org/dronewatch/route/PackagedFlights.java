@@ -117,9 +117,9 @@ final class PackagedFlights {
                 .map(scene -> route.with(FlownRoute.of(scene, models, 1).exposure()))
                 .orElse(route));
         search.assess(route -> {});
-        search.avoidLateDetections();
+        search.avoidLateDetections(done -> {});
         search.repeat(repetition -> {});
-        search.avoidLateDetections();
+        search.avoidLateDetections(done -> {});
         return search.survey().routes().stream()
                 .limit(directions)
                 .flatMap(route -> scene(routes, route).stream())

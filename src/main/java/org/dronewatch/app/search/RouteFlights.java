@@ -110,11 +110,11 @@ final class RouteFlights {
     }
 
     private void avoidLateDetections(RepeatedSearch search) {
-        if (search.isTooLate()) {
-            shown.during("routes past later detections", 1, progress -> {
-                search.avoidLateDetections();
-                progress.accept(1);
-                return 1;
+        int sectors = search.tooLate();
+        if (sectors > 0) {
+            shown.during("routes past later detections", sectors, progress -> {
+                search.avoidLateDetections(progress);
+                return sectors;
             });
         }
     }

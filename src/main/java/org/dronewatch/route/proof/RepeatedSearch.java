@@ -62,9 +62,9 @@ public final class RepeatedSearch {
         }
     }
 
-    /** Whether drones are detected too late on a route from a sector for which that was not yet avoided. */
-    public boolean isTooLate() {
-        return !detectedTooLate().isEmpty();
+    /** The number of sectors from which drones are detected too late, and for which that was not yet avoided. */
+    public int tooLate() {
+        return detectedTooLate().size();
     }
 
     /**
@@ -72,15 +72,16 @@ public final class RepeatedSearch {
      * way, and assesses the looks along them: no more of them may be detected in time on these, but fewer in all. Once
      * for each sector; to be called again after the search has been {@linkplain #repeat repeated}.
      *
+     * @param progress receives 1 for each sector that was searched
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
      *     kept, and so is its interrupt status
      */
-    public void avoidLateDetections() {
+    public void avoidLateDetections(IntConsumer progress) {
         Map<Integer, WeakestRoute> before = new LinkedHashMap<>();
         detectedTooLate().forEach((sector, route) -> before.put(sector, route.route()));
         avoided.addAll(before.keySet());
         if (!before.isEmpty()) {
-            site.throughout(before).forEach(this::tryRoute);
+            site.throughout(before, progress).forEach((sector, found) -> found.forEach(one -> tryRoute(sector, one)));
         }
     }
 

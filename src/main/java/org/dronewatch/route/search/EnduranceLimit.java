@@ -131,7 +131,8 @@ public final class EnduranceLimit {
 
     /** Keeps a route, or the hastened one if it is too long, if it is less exposed than the best so far. */
     private void tryRoute(WeakestRoutes routes, WeakestRoute found) {
-        WeakestRoute route = allows(found) ? found : routes.described(hastened(routes, found.path()), found.lower());
+        WeakestRoute route =
+                allows(found) ? found : routes.described(hastenedAtTheEnd(routes, found.path()), found.lower());
         if (allows(route) && (best.isEmpty() || route.exposure() < best.get().exposure())) {
             best = Optional.of(route);
         }
@@ -139,11 +140,19 @@ public final class EnduranceLimit {
 
     /**
      * A path that takes no longer than allowed if the modes make that possible: where it is too long, it is flown
-     * faster, first where a detection does not count, and then where that costs the least exposure.
+     * faster where that costs the least exposure, whether a detection counts there or not.
+     */
+    public RoutePath hastened(RoutePath path) {
+        double excess = powered(path) - seconds;
+        return excess > 0.0 ? Hastening.of(problem, path, excess) : path;
+    }
+
+    /**
+     * The same, but flown faster first where a detection does not count, and only then elsewhere.
      *
      * @param routes a search that knows what counts
      */
-    public RoutePath hastened(WeakestRoutes routes, RoutePath path) {
+    public RoutePath hastenedAtTheEnd(WeakestRoutes routes, RoutePath path) {
         double excess = powered(path) - seconds;
         if (!(excess > 0.0)) {
             return path;
@@ -152,7 +161,7 @@ public final class EnduranceLimit {
         RoutePath late = path.after(counted);
         RoutePath sooner = Hastening.of(problem, late, excess);
         double left = excess - (powered(late) - powered(sooner));
-        return left > 0.0 ? Hastening.of(problem, counted, left).then(sooner) : counted.then(sooner);
+        return (left > 0.0 ? Hastening.of(problem, counted, left) : counted).then(sooner);
     }
 
     /**

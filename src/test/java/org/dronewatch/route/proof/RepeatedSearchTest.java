@@ -112,12 +112,12 @@ class RepeatedSearchTest {
     void lateDetectionsAreAvoided() {
         RepeatedSearch search = searching(number -> new double[] {0.0, number == 0 ? 3.0 : 0.0});
         search.assess(progress::addAndGet);
-        assertThat(search.isTooLate()).isTrue();
-        search.avoidLateDetections();
+        assertThat(search.tooLate()).isEqualTo(1);
+        search.avoidLateDetections(progress::addAndGet);
 
         assertThat(assessed).hasSize(2);
         assertThat(search.survey().routes().get(SOUTH)).isSameAs(assessed.get(1));
-        assertThat(search.isTooLate()).isFalse();
+        assertThat(search.tooLate()).isZero();
     }
 
     /** Not at the price of detections in time; and each sector is searched once. */
@@ -125,12 +125,12 @@ class RepeatedSearchTest {
     void lateDetectionsAreBetterThanTimelyOnes() {
         RepeatedSearch search = searching(number -> number == 0 ? new double[] {0.0, 3.0} : new double[] {0.01, 0.0});
         search.assess(progress::addAndGet);
-        search.avoidLateDetections();
-        search.avoidLateDetections();
+        search.avoidLateDetections(progress::addAndGet);
+        search.avoidLateDetections(progress::addAndGet);
 
         assertThat(assessed).hasSize(2);
         assertThat(search.survey().routes().get(SOUTH)).isSameAs(assessed.get(0));
-        assertThat(search.isTooLate()).isFalse();
+        assertThat(search.tooLate()).isZero();
     }
 
     /** Nothing detects the drone on the route round the place at which the looks detected it before. */
