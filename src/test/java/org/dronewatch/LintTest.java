@@ -3,7 +3,6 @@ package org.dronewatch;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,9 +11,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import javax.tools.JavaCompiler;
-import javax.tools.StandardJavaFileManager;
-import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -31,8 +27,6 @@ class LintTest {
     private static final Pattern MERGE_MARK = Pattern.compile("(<{7}|>{7}|\\|{7})( |$)");
 
     private static final Pattern PICTURE_OR_ARCHIVE = Pattern.compile(".*\\.(png|gif|gz)");
-
-    private static final Path SOURCES = Path.of("src", "main", "java");
 
     /** Code of all kinds: of the library, its tests, examples, benchmarks and fuzzing. */
     private static final Path ALL_SOURCES = Path.of("src");
@@ -57,53 +51,50 @@ class LintTest {
      * all others.
      */
     @Test
-    void theCompilerHasNothingToWarnOf() throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        StringWriter messages = new StringWriter();
-        try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
-                Stream<Path> sources = Files.walk(SOURCES)) {
-            List<Path> checked = sources.filter(file -> file.toString().endsWith(".java"))
-                    .filter(file -> !WITH_VECTORS.contains(file.getFileName().toString()))
-                    .toList();
-            assertThat(checked).hasSizeGreaterThan(250);
-            boolean clean = compiler.getTask(
-                            messages,
-                            files,
-                            null,
-                            List.of(
-                                    "-Xlint:all,-classfile",
-                                    "-Werror",
-                                    "-proc:none",
-                                    // No code is generated: all that is warned of has been found by then.
-                                    "-XDshould-stop.ifNoError=FLOW",
-                                    "--release",
-                                    "17",
-                                    "-d",
-                                    directory.toString(),
-                                    "-cp",
-                                    System.getProperty("java.class.path")),
-                            null,
-                            files.getJavaFileObjectsFromPaths(checked))
-                    .call();
-            assertThat(clean).as(messages.toString()).isTrue();
-        }
+    void theCompilerHasNothingToWarnOf() throws IOException, InterruptedException {
+        List<Path> checked = JdkTool.javaFiles(JdkTool.SOURCES).stream()
+                .filter(file -> !WITH_VECTORS.contains(file.getFileName().toString()))
+                .toList();
+        assertThat(checked).hasSizeGreaterThan(250);
+        JdkTool.Outcome outcome = compiled(checked);
+        assertThat(outcome.code()).as(outcome.messages()).isZero();
+    }
+
+    /** The compiler is asked for warnings, and heard. */
+    @Test
+    void aWarningIsFound() throws IOException, InterruptedException {
+        Path source = Files.writeString(directory.resolve("Odd.java"), "class Odd { java.util.List list; }\n");
+        JdkTool.Outcome outcome = compiled(List.of(source));
+        assertThat(outcome.code()).isNotZero();
+        assertThat(outcome.messages()).contains("[rawtypes]");
+    }
+
+    private JdkTool.Outcome compiled(List<Path> sources) throws IOException, InterruptedException {
+        List<String> options = List.of(
+                "-Xlint:all,-classfile",
+                "-Werror",
+                "-proc:none",
+                // No code is generated: all that is warned of has been found by then.
+                "-XDshould-stop.ifNoError=FLOW",
+                "--release",
+                "17",
+                "-d",
+                directory.toString());
+        return JdkTool.run("javac", directory, options, sources);
     }
 
     @Test
     void noCommentIsWiderThanCode() throws IOException {
         List<String> wide = new ArrayList<>();
         int comments = 0;
-        try (Stream<Path> sources = Files.walk(ALL_SOURCES)) {
-            for (Path file :
-                    sources.filter(file -> file.toString().endsWith(".java")).toList()) {
-                List<String> lines = Files.readAllLines(file);
-                for (int i = 0; i < lines.size(); i++) {
-                    String line = lines.get(i);
-                    if (COMMENT.matcher(line).lookingAt()) {
-                        comments++;
-                        if (line.length() > MOST_COLUMNS) {
-                            wide.add(file + ":" + (i + 1) + ": " + line.length() + " columns");
-                        }
+        for (Path file : JdkTool.javaFiles(ALL_SOURCES)) {
+            List<String> lines = Files.readAllLines(file);
+            for (int i = 0; i < lines.size(); i++) {
+                String line = lines.get(i);
+                if (COMMENT.matcher(line).lookingAt()) {
+                    comments++;
+                    if (line.length() > MOST_COLUMNS) {
+                        wide.add(file + ":" + (i + 1) + ": " + line.length() + " columns");
                     }
                 }
             }
