@@ -57,7 +57,7 @@ class PlaceMomentsTest {
     private static final int WRITTEN = LongForm.count(6, 1);
 
     private static final String ROUTE_CANDIDATES =
-            "scene: site.yaml\nobjective: weakest-route\nbudget: 4\n" + RadarCandidates.SIX + RadarCandidates.AIR;
+            "scene: site.yaml\nobjective: weakest-route\nbudget: 4\n" + RadarCandidates.FOUR + RadarCandidates.AIR;
 
     @TempDir
     private Path directory;
@@ -199,9 +199,10 @@ class PlaceMomentsTest {
                 assertThat(results.get().complete()).as(moment).isEqualTo(isSame(results.get(), whole));
                 incomplete += results.get().complete() ? 0 : 1;
             }
+            if (when == all.moments()) {
+                assertThat(results.orElseThrow().complete()).as(moment).isTrue();
+            }
         }
-        assertThat(found(plan, all.moments()).results().orElseThrow().complete())
-                .isTrue();
         assertThat(incomplete).isGreaterThan(FIRST_AND_LAST);
     }
 
