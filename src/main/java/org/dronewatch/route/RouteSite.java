@@ -135,7 +135,7 @@ record RouteSite(
                 problem,
                 search(problem, price),
                 more -> search(problem.withField(exposure.plus(more)), price),
-                () -> WeakestRoutes.of(problem, reached, price, arrival),
+                more -> WeakestRoutes.of(problem.withField(exposure.plus(more)), reached, price, arrival),
                 limit,
                 middle,
                 this::height);

@@ -78,6 +78,11 @@ public record SectorRoute(
         return inTime(response) - route.detection() > MISJUDGED;
     }
 
+    /** The same for all detections, in time or not. */
+    public boolean isUnderestimatedThroughout() {
+        return detection() - searched.detection() > MISJUDGED;
+    }
+
     /**
      * Whether some of the drones on it are detected, but too late for a response.
      *

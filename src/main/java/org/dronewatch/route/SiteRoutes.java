@@ -1,18 +1,14 @@
 package org.dronewatch.route;
 
-import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
-import java.util.function.IntConsumer;
-import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.InboundTarget;
@@ -51,7 +47,7 @@ public final class SiteRoutes {
     private final RouteProblem problem;
     private final WeakestRoutes routes;
     private final Function<ExposureField, WeakestRoutes> past;
-    private final Supplier<WeakestRoutes> throughout;
+    private final Function<ExposureField, WeakestRoutes> throughout;
     private final EnduranceLimit endurance;
     private final Position middle;
     private final ToDoubleFunction<Position> height;
@@ -70,7 +66,7 @@ public final class SiteRoutes {
             RouteProblem problem,
             WeakestRoutes routes,
             Function<ExposureField, WeakestRoutes> past,
-            Supplier<WeakestRoutes> throughout,
+            Function<ExposureField, WeakestRoutes> throughout,
             EnduranceLimit endurance,
             Position middle,
             ToDoubleFunction<Position> height) {
@@ -138,28 +134,14 @@ public final class SiteRoutes {
     }
 
     /**
-     * The weakest routes from several sectors, each of which may join another one where that is less exposed. The
-     * smoothing may end in a local minimum from one sector, but not from another.
+     * The weakest routes from several sectors, each of which may {@linkplain JoinedRoutes join another one} where that is
+     * less exposed.
      *
      * @param routes as found {@linkplain #from from each sector}
      * @return as many, in the same order
      */
     public List<WeakestRoute> joined(List<WeakestRoute> routes) {
-        List<WeakestRoute> joined = new ArrayList<>(routes);
-        List<Integer> leastFirst = IntStream.range(0, routes.size())
-                .boxed()
-                .sorted(Comparator.comparingDouble(i -> routes.get(i).exposure()))
-                .toList();
-        for (int own : leastFirst) {
-            double exposure = joined.get(own).exposure();
-            List<WeakestRoute> others =
-                    joined.stream().filter(one -> one.exposure() < exposure).toList();
-            WeakestRoute better = this.routes.joined(joined.get(own), others);
-            if (endurance.allows(better)) {
-                joined.set(own, better);
-            }
-        }
-        return joined;
+        return JoinedRoutes.of(this.routes, routes, endurance::allows);
     }
 
     /**
@@ -183,28 +165,36 @@ public final class SiteRoutes {
      * Searches once more, for the routes that are least exposed all the way. Where only detections in time count, the
      * drone hurries from the point on from which they come too late, although it might stay undetected on a slower way.
      *
-     * @param routes the weakest routes so far, by sector
-     * @param searched receives 1 for each sector that was searched
+     * @param routes the weakest routes so far, by sector: those of this search may join them
+     * @param sectors for which to search, among those of the routes
+     * @param more what else the drone is exposed to; it does not count in the exposure of the result
      * @return by sector, the weakest route of this search, with the exposure as far as a detection counts; where it is
      *     too long, it is hastened where that costs the least, and also where it costs no detection in time. Sectors
      *     without a route that is short enough have none
      */
-    public Map<Integer, List<WeakestRoute>> throughout(Map<Integer, WeakestRoute> routes, IntConsumer searched) {
-        WeakestRoutes again = throughout.get();
-        Map<Integer, List<WeakestRoute>> others = new LinkedHashMap<>();
+    public Map<Integer, List<WeakestRoute>> throughout(
+            Map<Integer, WeakestRoute> routes, Set<Integer> sectors, ExposureField more) {
+        WeakestRoutes again = throughout.apply(more);
+        Map<Integer, WeakestRoute> found = new LinkedHashMap<>();
         routes.forEach((sector, before) -> {
-            List<RoutePath> paths = again.from(starts(sector)).map(WeakestRoute::path).stream()
-                    .flatMap(path -> Stream.of(endurance.hastened(path), endurance.hastenedAtTheEnd(this.routes, path)))
-                    .distinct()
-                    .toList();
+            WeakestRoute own = again.described(before.path(), 0.0);
+            found.put(
+                    sector,
+                    sectors.contains(sector) ? again.from(starts(sector)).orElse(own) : own);
+        });
+        List<WeakestRoute> joined = JoinedRoutes.of(again, List.copyOf(found.values()), route -> true);
+        Map<Integer, List<WeakestRoute>> others = new LinkedHashMap<>();
+        for (int sector : found.keySet()) {
+            RoutePath path = joined.get(others.size()).path();
             others.put(
                     sector,
-                    paths.stream()
-                            .map(path -> described(path, before))
+                    Stream.of(endurance.hastened(path), endurance.hastenedAtTheEnd(this.routes, path))
+                            .distinct()
+                            .map(one -> described(one, routes.get(sector)))
                             .filter(endurance::allows)
                             .toList());
-            searched.accept(1);
-        });
+        }
+        others.keySet().retainAll(sectors);
         return others;
     }
 

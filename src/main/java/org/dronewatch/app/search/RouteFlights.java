@@ -110,11 +110,10 @@ final class RouteFlights {
     }
 
     private void avoidLateDetections(RepeatedSearch search) {
-        int sectors = search.tooLate();
-        if (sectors > 0) {
-            shown.during("routes past later detections", sectors, progress -> {
+        if (search.isTooLate()) {
+            shown.during("routes past later detections", RepeatedSearch.MOST + 1L, progress -> {
                 search.avoidLateDetections(progress);
-                return sectors;
+                return search.survey().routes().size();
             });
         }
     }

@@ -2,6 +2,7 @@ package org.dronewatch.route.proof;
 
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -62,26 +63,42 @@ public final class RepeatedSearch {
         }
     }
 
-    /** The number of sectors from which drones are detected too late, and for which that was not yet avoided. */
-    public int tooLate() {
-        return detectedTooLate().size();
+    /** Whether drones are detected too late from a sector for which that was not yet avoided. */
+    public boolean isTooLate() {
+        return !detectedTooLate().isEmpty();
     }
 
     /**
      * Searches, for the sectors from which drones are detected too late, for the routes that are least exposed all the
-     * way, and assesses the looks along them: no more of them may be detected in time on these, but fewer in all. Once
-     * for each sector; to be called again after the search has been {@linkplain #repeat repeated}.
+     * way, and assesses the looks along them: no more of them may be detected in time on these, but fewer in all. This
+     * search, too, is repeated past what the looks show. Once for each sector; to be called again after the search for
+     * detections in time has been {@linkplain #repeat repeated}.
      *
-     * @param progress receives 1 for each sector that was searched
+     * @param progress receives 1 after each search, of at most one more than {@link #MOST}
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
      *     kept, and so is its interrupt status
      */
     public void avoidLateDetections(IntConsumer progress) {
-        Map<Integer, WeakestRoute> before = new LinkedHashMap<>();
-        detectedTooLate().forEach((sector, route) -> before.put(sector, route.route()));
-        avoided.addAll(before.keySet());
-        if (!before.isEmpty()) {
-            site.throughout(before, progress).forEach((sector, found) -> found.forEach(one -> tryRoute(sector, one)));
+        UnforeseenExposure unforeseen = UnforeseenExposure.none(site.grid());
+        Set<Integer> sectors = detectedTooLate().keySet();
+        avoided.addAll(sectors);
+        for (int search = 0; search <= MOST && !sectors.isEmpty(); search++) {
+            Map<Integer, WeakestRoute> before = new LinkedHashMap<>();
+            kept.forEach((sector, route) -> before.put(sector, route.route()));
+            Set<Integer> latest = new LinkedHashSet<>();
+            for (Map.Entry<Integer, List<WeakestRoute>> found :
+                    site.throughout(before, sectors, unforeseen).entrySet()) {
+                for (WeakestRoute route : found.getValue()) {
+                    SectorRoute other = tryRoute(found.getKey(), route);
+                    if (other.isUnderestimatedThroughout()) {
+                        unforeseen = unforeseen.with(other, site.modes());
+                        latest.add(found.getKey());
+                    }
+                }
+            }
+            latest.removeIf(sector -> !kept.get(sector).isDetectedTooLate(survey.response()));
+            sectors = latest;
+            progress.accept(1);
         }
     }
 

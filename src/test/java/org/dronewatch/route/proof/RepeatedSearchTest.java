@@ -112,12 +112,12 @@ class RepeatedSearchTest {
     void lateDetectionsAreAvoided() {
         RepeatedSearch search = searching(number -> new double[] {0.0, number == 0 ? 3.0 : 0.0});
         search.assess(progress::addAndGet);
-        assertThat(search.tooLate()).isEqualTo(1);
+        assertThat(search.isTooLate()).isTrue();
         search.avoidLateDetections(progress::addAndGet);
 
         assertThat(assessed).hasSize(2);
         assertThat(search.survey().routes().get(SOUTH)).isSameAs(assessed.get(1));
-        assertThat(search.tooLate()).isZero();
+        assertThat(search.isTooLate()).isFalse();
     }
 
     /** Not at the price of detections in time; and each sector is searched once. */
@@ -130,7 +130,7 @@ class RepeatedSearchTest {
 
         assertThat(assessed).hasSize(2);
         assertThat(search.survey().routes().get(SOUTH)).isSameAs(assessed.get(0));
-        assertThat(search.tooLate()).isZero();
+        assertThat(search.isTooLate()).isFalse();
     }
 
     /** Nothing detects the drone on the route round the place at which the looks detected it before. */

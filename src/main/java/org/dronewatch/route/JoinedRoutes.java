@@ -1,0 +1,43 @@
+package org.dronewatch.route;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.dronewatch.route.search.WeakestRoute;
+import org.dronewatch.route.search.WeakestRoutes;
+
+/**
+ * Routes each of which may join another one where that is less exposed: the smoothing may end in a local minimum from
+ * one sector, but not from another.
+ */
+final class JoinedRoutes {
+    private JoinedRoutes() {}
+
+    /**
+     * The routes after they have joined others.
+     *
+     * @param search in whose exposure they are compared
+     * @param routes as found by it
+     * @param isAllowed whether a route may replace the one that has joined another
+     * @return as many, in the same order
+     */
+    static List<WeakestRoute> of(WeakestRoutes search, List<WeakestRoute> routes, Predicate<WeakestRoute> isAllowed) {
+        List<WeakestRoute> joined = new ArrayList<>(routes);
+        List<Integer> leastFirst = IntStream.range(0, routes.size())
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> routes.get(i).exposure()))
+                .toList();
+        for (int own : leastFirst) {
+            double exposure = joined.get(own).exposure();
+            List<WeakestRoute> others =
+                    joined.stream().filter(one -> one.exposure() < exposure).toList();
+            WeakestRoute better = search.joined(joined.get(own), others);
+            if (isAllowed.test(better)) {
+                joined.set(own, better);
+            }
+        }
+        return joined;
+    }
+}
