@@ -134,8 +134,8 @@ public final class SiteRoutes {
     }
 
     /**
-     * The weakest routes from several sectors, each of which may {@linkplain JoinedRoutes join another one} where that is
-     * less exposed.
+     * The weakest routes from several sectors, each of which may {@linkplain JoinedRoutes join} another one where that
+     * is less exposed.
      *
      * @param routes as found {@linkplain #from from each sector}
      * @return as many, in the same order

@@ -120,6 +120,19 @@ class RepeatedSearchTest {
         assertThat(search.isTooLate()).isFalse();
     }
 
+    /** The first route that is least exposed all the way in the cells is detected when it is flown. */
+    @Test
+    void lateDetectionsAreAvoidedPastWhatLooksShow() {
+        RepeatedSearch search = searching(number -> new double[] {0.0, number < 2 ? 3.0 : 0.0});
+        search.assess(progress::addAndGet);
+        progress.set(0);
+        search.avoidLateDetections(progress::addAndGet);
+
+        assertThat(assessed).hasSize(3);
+        assertThat(progress).hasValue(2);
+        assertThat(search.survey().routes().get(SOUTH)).isSameAs(assessed.get(2));
+    }
+
     /** Not at the price of detections in time; and each sector is searched once. */
     @Test
     void lateDetectionsAreBetterThanTimelyOnes() {
