@@ -183,19 +183,24 @@ public final class SiteRoutes {
                     sectors.contains(sector) ? again.from(starts(sector)).orElse(own) : own);
         });
         List<WeakestRoute> joined = JoinedRoutes.of(again, List.copyOf(found.values()), route -> true);
+        List<Integer> order = List.copyOf(found.keySet());
         Map<Integer, List<WeakestRoute>> others = new LinkedHashMap<>();
-        for (int sector : found.keySet()) {
-            RoutePath path = joined.get(others.size()).path();
-            others.put(
-                    sector,
-                    Stream.of(endurance.hastened(path), endurance.hastenedAtTheEnd(this.routes, path))
-                            .distinct()
-                            .map(one -> described(one, routes.get(sector)))
-                            .filter(endurance::allows)
-                            .toList());
+        for (int i = 0; i < order.size(); i++) {
+            int sector = order.get(i);
+            if (sectors.contains(sector)) {
+                others.put(sector, withinEndurance(joined.get(i).path(), routes.get(sector)));
+            }
         }
-        others.keySet().retainAll(sectors);
         return others;
+    }
+
+    /** The ways to fly a path within the endurance, with the exposure as far as a detection counts. */
+    private List<WeakestRoute> withinEndurance(RoutePath path, WeakestRoute before) {
+        return Stream.of(endurance.hastened(path), endurance.hastenedAtTheEnd(routes, path))
+                .distinct()
+                .map(one -> described(one, before))
+                .filter(endurance::allows)
+                .toList();
     }
 
     private WeakestRoute described(RoutePath path, WeakestRoute before) {

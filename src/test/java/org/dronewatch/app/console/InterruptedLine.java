@@ -1,10 +1,7 @@
 package org.dronewatch.app.console;
 
-import java.io.PrintWriter;
-import java.io.Writer;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /** An interruption of a task when it has printed a given line. A task that prints many lines after it fails. */
 public final class InterruptedLine implements AutoCloseable {
@@ -60,14 +57,7 @@ public final class InterruptedLine implements AutoCloseable {
 
     /** Shows each line of the task to this. */
     public TaskProgress shown() {
-        PrintWriter err = new PrintWriter(Writer.nullWriter()) {
-            @Override
-            public PrintWriter printf(Locale locale, String format, Object... values) {
-                line(String.format(locale, format, values));
-                return this;
-            }
-        };
-        return new TaskProgress(TaskProgress.Amount.EVERYWHERE, err);
+        return HeardProgress.of(this::line, () -> {});
     }
 
     /** Ends the task; the thread of the caller is not interrupted then. */

@@ -1,7 +1,5 @@
 package org.dronewatch.app.console;
 
-import java.io.PrintWriter;
-import java.io.Writer;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
@@ -57,19 +55,7 @@ public final class InterruptedTask implements AutoCloseable {
 
     /** Each line is a moment. */
     public TaskProgress shown() {
-        PrintWriter err = new PrintWriter(Writer.nullWriter()) {
-            @Override
-            public void flush() {
-                moment();
-            }
-
-            @Override
-            public PrintWriter printf(java.util.Locale locale, String format, Object... values) {
-                moment();
-                return this;
-            }
-        };
-        return new TaskProgress(TaskProgress.Amount.EVERYWHERE, err);
+        return HeardProgress.of(line -> moment(), this::moment);
     }
 
     /** Ends the task; the thread of the caller is not interrupted then. */

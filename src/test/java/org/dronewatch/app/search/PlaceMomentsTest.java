@@ -96,6 +96,13 @@ class PlaceMomentsTest {
         }
     }
 
+    private PlacePlan protectedPlan(String lines) throws IOException {
+        Path file = PlacedSite.in(directory, lines);
+        Path scene = directory.resolve("site.yaml");
+        Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        return plan(file);
+    }
+
     private PlacePlan plan(Path file) {
         return PlacePlan.read(file, runner -> runner.store(StorePlace.NONE), note -> {});
     }
@@ -110,10 +117,7 @@ class PlaceMomentsTest {
                 "objective: warning-time\nwarning: worst\nbudget: 9\nconditions: {fold: 2}\n",
             })
     void theBestSoFarIsWhole(String lines) throws IOException {
-        Path file = PlacedSite.in(directory, lines);
-        Path scene = directory.resolve("site.yaml");
-        Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
-        assertWholeAtAllMoments(plan(file), 1);
+        assertWholeAtAllMoments(protectedPlan(lines), 1);
     }
 
     @ParameterizedTest
@@ -123,10 +127,7 @@ class PlaceMomentsTest {
                 "objective: warning-time\nwarning: mean\nbudget: 6\n",
             })
     void whatIsNotCompleteInTimeIsNamed(String lines) throws IOException {
-        Path file = PlacedSite.in(directory, lines);
-        Path scene = directory.resolve("site.yaml");
-        Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
-        assertNamedAtAllMoments(plan(file));
+        assertNamedAtAllMoments(protectedPlan(lines));
     }
 
     @Test
