@@ -21,15 +21,15 @@ public record FlightMode(Kind kind, double speed) {
     public enum Kind {
         /** With its motors running, at cruise speed. */
         POWERED,
-        /** With its motors running, so slowly that radars which reject low radial speeds do not see it. */
+        /** With its motors running, more slowly, at a speed that a radar rejects. */
         SLOW,
         /** With its motors off, quiet and cold: it can only descend. */
         GLIDE
     }
 
     /**
-     * All modes in which a drone can fly, in the order of their kinds; slowly only if a sensor rejects low radial
-     * speeds.
+     * All modes in which a drone can fly, in the order of their kinds; slowly only if a sensor rejects some radial
+     * speeds below its cruise speed.
      *
      * @param sensors the sensors that it has to pass
      */

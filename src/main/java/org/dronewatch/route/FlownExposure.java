@@ -15,8 +15,10 @@ import java.util.OptionalDouble;
  *     order of time
  * @param bySensor the exposure to each sensor along the whole route, {@linkplain #ofMean over all these flights}, in
  *     the order of the scene
+ * @param alertInTime the probability that an alert comes early enough for a response, by the scene's rule, 0 to 1;
+ *     empty if it is not known, or no response is required
  */
-public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySensor) {
+public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySensor, OptionalDouble alertInTime) {
     /**
      * What a look adds to the exposure.
      *
@@ -48,6 +50,16 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
         if (flights.isEmpty()) {
             throw new IllegalArgumentException("0 flights: there must be at least one");
         }
+    }
+
+    /** The exposure where it is not known whether an alert comes in time. */
+    public FlownExposure(List<List<Step>> flights, Map<String, Double> bySensor) {
+        this(flights, bySensor, OptionalDouble.empty());
+    }
+
+    /** The same with the probability that an alert comes early enough for a response, 0 to 1; empty if not known. */
+    public FlownExposure withAlertInTime(OptionalDouble probability) {
+        return new FlownExposure(flights, bySensor, probability);
     }
 
     /**

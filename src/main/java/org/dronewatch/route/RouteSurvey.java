@@ -90,6 +90,11 @@ public record RouteSurvey(
         return new RouteSurvey(flown, modes, target, response, isComplete && isWhole);
     }
 
+    /** Whether it is known of any route how probable it is that an alert comes in time. */
+    public boolean isAlertKnown() {
+        return routes.stream().anyMatch(route -> route.alertInTime().isPresent());
+    }
+
     /**
      * The weakest of all routes: the first in the order of {@link #weakestFirst}. Routes that end where they begin do
      * not count; empty if there are no others.
@@ -99,17 +104,19 @@ public record RouteSurvey(
     }
 
     /**
-     * The order from the weakest route to the strongest: first the one with the least probability of a timely
-     * detection; in a tie, the one with the least probability of any detection along the whole route, then the least
-     * exposure that counts in the search, then the shortest time, then the first sector clockwise from the north. What
-     * tables print alike ties: probabilities to a tenth of a percentage point below 10 %, and to a whole one from there
-     * on; exposures to a thousandth below 1, and to a hundredth from there on; times to a tenth of a second below 100
-     * s, and to a second from there on. Probabilities below 0.1 % and exposures below 0.001 tie with 0. Otherwise a
-     * route on which the drone is surely detected, if only slightly too late, might count as weaker than one on which
-     * it is hardly ever detected at all.
+     * The order from the weakest route to the strongest: first the one with the least probability of an alert in time,
+     * where it is known; in a tie, or if it is not known, the one with the least probability of a timely detection,
+     * then of any detection along the whole route, then the least exposure that counts in the search, then the shortest
+     * time, then the first sector clockwise from the north. What tables print alike ties: probabilities to a tenth of a
+     * percentage point below 10 %, and to a whole one from there on; exposures to a thousandth below 1, and to a
+     * hundredth from there on; times to a tenth of a second below 100 s, and to a second from there on. Probabilities
+     * below 0.1 % and exposures below 0.001 tie with 0. Otherwise a route on which the drone is surely detected, if
+     * only slightly too late, might count as weaker than one on which it is hardly ever detected at all.
      */
     public Comparator<SectorRoute> weakestFirst() {
-        return Comparator.comparingDouble((SectorRoute one) -> probability(one.inTime(response)))
+        return Comparator.comparingDouble(
+                        (SectorRoute one) -> probability(one.alertInTime().orElse(one.inTime(response))))
+                .thenComparingDouble(one -> probability(one.inTime(response)))
                 .thenComparingDouble(one -> probability(one.detection()))
                 .thenComparingDouble(one -> exposure(one.route().exposure()))
                 .thenComparingDouble(one -> seconds(one.route().seconds()))

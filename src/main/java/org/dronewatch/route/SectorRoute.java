@@ -69,6 +69,14 @@ public record SectorRoute(
     }
 
     /**
+     * The probability that an alert comes early enough for a response, by the scene's rule, where the times of the
+     * flight and of the response vary, 0 to 1; empty if it is not known.
+     */
+    public OptionalDouble alertInTime() {
+        return flown.map(FlownExposure::alertInTime).orElse(OptionalDouble.empty());
+    }
+
+    /**
      * Whether the drone is detected, early enough for a response, with a probability that is more than 20 percentage
      * points higher than the search expected.
      *

@@ -1,17 +1,18 @@
 package org.dronewatch.route;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The speeds at which a drone flies that wants to pass sensors which reject low radial speeds: a little below the
- * greatest one at which at least 20 dB of its signal are rejected on every heading.
+ * The speeds at which a drone flies that wants to pass sensors which reject some radial speeds: a little below the
+ * greatest one at which at least 20 dB of its signal are rejected on every heading, and in the middle of the fastest
+ * band that is rejected above it, in which a drone stays while it flies straight towards the sensor or away from it.
  */
 final class SlowFlight {
     /** The greatest fraction of the signal that passes: -20 dB shorten the range of a radar to 32 %. */
@@ -23,12 +24,18 @@ final class SlowFlight {
     /** Whoever is still slower hovers, m/s. */
     private static final double SLOWEST = 0.1;
 
-    /** The number of parts of the cruise speed that are tried; rejection may set in again at higher speeds. */
+    /** The number of parts of the cruise speed that are tried; narrower bands may be missed. */
     private static final int PARTS = 1000;
 
     private static final int BISECTIONS = 40;
 
-    private SlowFlight() {}
+    private final CrossingBlind blind;
+    private final double cruise;
+
+    private SlowFlight(CrossingBlind blind, double cruise) {
+        this.blind = blind;
+        this.cruise = cruise;
+    }
 
     /**
      * The speeds, one for all sensors that reject the same speeds.
@@ -42,33 +49,59 @@ final class SlowFlight {
         return sensors.stream()
                 .map(sensor -> sensor.as(CrossingBlind.class))
                 .flatMap(Optional::stream)
-                .map(blind -> below(blind, drone.speed()))
-                .flatMapToDouble(OptionalDouble::stream)
-                .boxed()
+                .flatMap(blind -> new SlowFlight(blind, drone.speed()).speeds().stream())
+                .filter(speed -> speed >= SLOWEST)
                 .distinct()
                 .sorted(Comparator.reverseOrder())
                 .toList();
     }
 
-    /** The speed for one sensor; empty if it sees slow drones, or rejects all speeds up to the cruise speed. */
-    private static OptionalDouble below(CrossingBlind blind, double cruise) {
-        int part = 1;
-        while (part <= PARTS && blind.response(cruise * part / PARTS) <= PASSES) {
+    /** The speeds for one sensor: none for a band that contains the cruise speed. */
+    private List<Double> speeds() {
+        List<Double> speeds = new ArrayList<>();
+        int part = 0;
+        while (part <= PARTS && isRejected(part)) {
             part++;
         }
-        if (part > PARTS || blind.response(0.0) > PASSES) {
-            return OptionalDouble.empty();
+        if (part > 0 && part <= PARTS) {
+            speeds.add(BELOW * edge(part - 1, part));
         }
-        double low = cruise * (part - 1) / PARTS;
-        double high = cruise * part / PARTS;
+        bandBelowCruise(part).ifPresent(speeds::add);
+        return speeds;
+    }
+
+    /** The middle of the fastest band that is rejected between a part of the cruise speed and all of it. */
+    private Optional<Double> bandBelowCruise(int from) {
+        int above = PARTS;
+        while (above > from && (isRejected(above) || !isRejected(above - 1))) {
+            above--;
+        }
+        if (above <= from) {
+            return Optional.empty();
+        }
+        int below = above - 1;
+        while (isRejected(below)) {
+            below--;
+        }
+        return Optional.of(0.5 * (edge(below + 1, below) + edge(above - 1, above)));
+    }
+
+    private boolean isRejected(int part) {
+        return blind.response(cruise * part / PARTS) <= PASSES;
+    }
+
+    /** The speed at which rejection ends between two parts of the cruise speed. */
+    private double edge(int rejectedPart, int passingPart) {
+        double rejected = cruise * rejectedPart / PARTS;
+        double passing = cruise * passingPart / PARTS;
         for (int i = 0; i < BISECTIONS; i++) {
-            double middle = 0.5 * (low + high);
+            double middle = 0.5 * (rejected + passing);
             if (blind.response(middle) <= PASSES) {
-                low = middle;
+                rejected = middle;
             } else {
-                high = middle;
+                passing = middle;
             }
         }
-        return BELOW * low < SLOWEST ? OptionalDouble.empty() : OptionalDouble.of(BELOW * low);
+        return rejected;
     }
 }

@@ -306,6 +306,18 @@ class FlownWeakSpotsTest {
         assertUsed(slow, 0.0, 1e-3, 0.99);
     }
 
+    /** A canceller is blind at 8 m/s, too: straight towards it, the drone need not fly any slower. */
+    @Test
+    void aCancellerIsApproachedAtItsBlindSpeed() throws IOException {
+        String radar = RADAR.formatted("[0, 0, 4]", 0)
+                .replace("minSpeed: 0 m/s", "notch: {kind: canceller, pulses: 3, blindSpeed: 8 m/s}");
+        Flown slow = fly(world("hut.obj", WALL, "building"), radar, "", 0.0, EAST);
+
+        assertUsed(slow, 0.0, 1e-2, 0.99);
+        assertThat(slow.route().route().path().modes()).contains(1);
+        assertThat(slow.route().route().seconds()).isLessThan(60.0);
+    }
+
     /** A drone that needs its speed to stay in the air has no such choice. */
     @Test
     void wingsCannotFlySlowly() throws IOException {

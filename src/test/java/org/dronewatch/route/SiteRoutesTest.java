@@ -10,6 +10,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -120,6 +121,29 @@ class SiteRoutesTest {
         for (SectorRoute route : flown.routes()) {
             assertThat(route.inTime(5.0) > 0.0).isEqualTo(route.sector() == 5);
         }
+    }
+
+    /**
+     * From the south-west, one drone in a hundred is detected in time; from elsewhere, all are detected slightly too
+     * late, but times vary, so that half of the alerts are in time.
+     */
+    @Test
+    void anAlertThatMayComeInTimeCounts() {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        RouteSurvey searched = RouteSurvey.of(routes, 5.0, sector -> {}, () -> {});
+        RouteSurvey flown = searched.with(
+                searched.routes().stream()
+                        .map(route -> route.with(
+                                route.sector() == 5
+                                        ? seen(0.5, 0.01).withAlertInTime(OptionalDouble.of(0.01))
+                                        : seen(route.route().seconds() - 4.9, 10.0)
+                                                .withAlertInTime(OptionalDouble.of(0.5))))
+                        .toList(),
+                true);
+
+        assertThat(flown.isAlertKnown()).isTrue();
+        assertThat(flown.weakest().orElseThrow().sector()).isEqualTo(5);
+        assertThat(searched.isAlertKnown()).isFalse();
     }
 
     /** By one look. */

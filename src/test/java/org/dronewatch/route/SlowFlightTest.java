@@ -14,6 +14,8 @@ import org.dronewatch.sensor.radar.DopplerFilter;
 import org.dronewatch.sensor.radar.LinkBudget;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class SlowFlightTest {
     private static final double CRUISE = 15.0;
@@ -46,12 +48,23 @@ class SlowFlightTest {
                 .satisfies(speed -> assertThat(speed).isCloseTo(BELOW * 6.0 / Math.pow(99.0, 0.25), within(1e-6)));
     }
 
-    /** sin^2(pi v / b) = 0.01, not its blind speed b, around which the drone would be seen when it turns. */
+    /** sin^2(pi v / b) = 0.01 below its first lobe, and its fastest blind speed below the cruise speed. */
+    @ParameterizedTest
+    @CsvSource({"12, 12", "7, 14", "5, 10", "3.7, 14.8"})
+    void aCancellerIsPassedBelowItsFirstLobeOrAtABlindSpeed(double first, double fastest) {
+        List<Double> speeds = speeds(RADAR.withNotch(new DopplerFilter.Canceller(2, first)));
+
+        assertThat(speeds).hasSize(2);
+        assertThat(speeds.get(0)).isCloseTo(fastest, within(1e-6));
+        assertThat(speeds.get(1)).isCloseTo(BELOW * first * Math.asin(0.1) / Math.PI, within(1e-6));
+    }
+
+    /** At cruise speed, the drone has a blind speed already. */
     @Test
-    void aCancellerIsPassedBelowItsFirstLobe() {
-        assertThat(speeds(RADAR.withNotch(new DopplerFilter.Canceller(2, 12.0))))
-                .singleElement()
-                .satisfies(speed -> assertThat(speed).isCloseTo(BELOW * 12.0 * Math.asin(0.1) / Math.PI, within(1e-6)));
+    void aBandAroundTheCruiseSpeedIsLeftOut() {
+        assertThat(speeds(RADAR.withNotch(new DopplerFilter.Canceller(2, CRUISE))))
+                .hasSize(1);
+        assertThat(speeds(RADAR.withSpeeds(3.0, CRUISE - 1.0))).hasSize(1);
     }
 
     @Test

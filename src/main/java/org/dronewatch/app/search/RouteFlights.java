@@ -49,9 +49,8 @@ final class RouteFlights {
      *
      * @param scene in which the drone flies it
      * @param flown with all looks along it
-     * @param timely the probability of a timely alert; empty if it is not known
      */
-    private record Flight(SceneSettings scene, FlownRoute flown, OptionalDouble timely) {}
+    private record Flight(SceneSettings scene, FlownRoute flown) {}
 
     /**
      * Flights of routes.
@@ -119,9 +118,7 @@ final class RouteFlights {
     }
 
     private RouteResults results(RepeatedSearch search, UnseenPlaces between, TimeToGo times, boolean isComplete) {
-        Map<Integer, Double> timely = new LinkedHashMap<>();
-        flown(search).forEach((sector, flight) -> flight.timely().ifPresent(chance -> timely.put(sector, chance)));
-        return new RouteResults(search.survey(), found, between, times, proofs, timely, isComplete);
+        return new RouteResults(search.survey(), found, between, times, proofs, isComplete);
     }
 
     /** By sector, the flights of the routes that were kept. */
@@ -160,11 +157,13 @@ final class RouteFlights {
         ModelCache models = runner.load(scene.get());
         FlownRoute flown =
                 runs > 0 ? FlownRoute.toProve(scene.get(), models, runs) : FlownRoute.of(scene.get(), models, 1);
+        flights.put(route.route().path(), new Flight(scene.get(), flown));
         // Flights have no cues: where positioners count as cued, the search alone knows what they see.
-        OptionalDouble timely = survey.response() > 0.0 && !inputs.isCued()
-                ? flown.interruption(survey.response())
-                : OptionalDouble.empty();
-        flights.put(route.route().path(), new Flight(scene.get(), flown, timely));
-        return inputs.isCued() ? route : route.with(flown.exposure());
+        if (inputs.isCued()) {
+            return route;
+        }
+        double response = survey.response();
+        return route.with(flown.exposure()
+                .withAlertInTime(response > 0.0 ? flown.interruption(response) : OptionalDouble.empty()));
     }
 }

@@ -1,6 +1,7 @@
 package org.dronewatch.report.route;
 
 import java.util.Locale;
+import java.util.OptionalDouble;
 import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.RoutePoint;
@@ -81,16 +82,21 @@ public final class RouteFile {
             node.putNull("p_in_time");
             node.putNull("critical_s");
         }
-        Double timely = results.timely().get(route.sector());
-        node.put("p_i", timely == null ? null : Numbers.rounded(timely));
-        node.put(
-                "p_e",
-                results.effectiveness(route, inputs).map(Numbers::rounded).orElse(null));
+        put(node, "p_i", route.alertInTime());
+        put(node, "p_e", RouteResults.effectiveness(route, inputs));
         RouteProof proof = results.proofs().get(route.sector());
         if (proof == null) {
             node.putNull("proof");
         } else {
             add(node.putObject("proof"), proof);
+        }
+    }
+
+    private static void put(ObjectNode node, String key, OptionalDouble probability) {
+        if (probability.isPresent()) {
+            node.put(key, Numbers.rounded(probability.getAsDouble()));
+        } else {
+            node.putNull(key);
         }
     }
 

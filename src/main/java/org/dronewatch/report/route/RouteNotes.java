@@ -119,7 +119,7 @@ final class RouteNotes {
     private Optional<String> withoutAlert(RouteResults results) {
         boolean isFlight = results.survey().routes().stream()
                 .anyMatch(route -> route.route().seconds() > 0.0);
-        return inputs.response() > 0.0 && results.timely().isEmpty() && isFlight
+        return inputs.response() > 0.0 && !results.survey().isAlertKnown() && isFlight
                 ? Optional.of("The probability that an alert comes in time cannot be computed "
                         + (inputs.isCued()
                                 ? "where sensors on positioners count as cued: flights have no cues."

@@ -30,8 +30,8 @@ final class RouteNumbers {
     }
 
     /** A probability in percent, or a dash where there is none. */
-    static String orDash(Double probability) {
-        return probability == null ? "-" : percent(probability);
+    static String orDash(OptionalDouble probability) {
+        return probability.isPresent() ? percent(probability.getAsDouble()) : "-";
     }
 
     /** An exposure. */

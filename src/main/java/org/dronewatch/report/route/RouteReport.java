@@ -84,14 +84,14 @@ final class RouteReport {
                         + " as it is flown; 'search' is the estimate of the search, which knows only the middle of each"
                         + " cell, and assumes that a sensor may look at any moment; 'time left' is the time between the typical (median) first detection and the drone's"
                         + " arrival"
-                        + (results.timely().isEmpty()
-                                ? ""
-                                : "; 'alert in time' is the probability that the scene's rule raises an alert early enough,"
-                                        + " where the times of the flight and of the response vary by 30 %")
+                        + (survey.isAlertKnown()
+                                ? "; 'alert in time' is the probability that the scene's rule raises an alert early enough,"
+                                        + " where the times of the flight and of the response vary by 30 %"
+                                : "")
                         + (ModeWords.areSlow(survey)
                                 ? "; 'slow' is for how long the drone flies at "
                                         + ModeWords.slowSpeeds(survey)
-                                        + ", so slowly that a radar rejects its echo"
+                                        + ", which a radar rejects"
                                 : "")
                         + (ModeWords.areGlides(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
                         + ". 'Counted exposure' is that "
@@ -113,7 +113,7 @@ final class RouteReport {
         if (isRequired) {
             head.addAll(List.of("detected in time", "compared with the response"));
         }
-        if (!results.timely().isEmpty()) {
+        if (survey.isAlertKnown()) {
             head.add("alert in time");
         }
         if (inputs.stopped().isPresent()) {
@@ -152,11 +152,11 @@ final class RouteReport {
             row.add(RouteNumbers.percent(route.inTime(survey.response())));
             row.add(RouteNumbers.margin(route.left(), survey.response()));
         }
-        if (!results.timely().isEmpty()) {
-            row.add(RouteNumbers.orDash(results.timely().get(route.sector())));
+        if (survey.isAlertKnown()) {
+            row.add(RouteNumbers.orDash(route.alertInTime()));
         }
         if (inputs.stopped().isPresent()) {
-            row.add(RouteNumbers.orDash(results.effectiveness(route, inputs).orElse(null)));
+            row.add(RouteNumbers.orDash(RouteResults.effectiveness(route, inputs)));
         }
         row.add(RouteNumbers.exposure(route.route().exposure()));
         row.add(RouteNumbers.exposure(route.route().lower()));

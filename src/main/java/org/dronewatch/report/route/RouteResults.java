@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.TimelyDetection;
@@ -22,8 +23,6 @@ import org.dronewatch.route.search.TimeToGo;
  * @param between whether the cells of the search are small enough
  * @param times the shortest times to the end of a route
  * @param proofs by sector, how often flights along its route are detected; empty if no proof was requested
- * @param timely by sector, the probability that an alert on its route is in time by the scene's rule, where it can be
- *     computed; it never can if sensors on positioners count as cued
  * @param isComplete whether everything that was requested was completed
  */
 public record RouteResults(
@@ -32,13 +31,11 @@ public record RouteResults(
         UnseenPlaces between,
         TimeToGo times,
         Map<Integer, RouteProof> proofs,
-        Map<Integer, Double> timely,
         boolean isComplete) {
     /** Copies the lists and maps. */
     public RouteResults {
         found = List.copyOf(found);
         proofs = Collections.unmodifiableMap(new LinkedHashMap<>(proofs));
-        timely = Collections.unmodifiableMap(new LinkedHashMap<>(timely));
     }
 
     /** The route that is least exposed by the search alone, whatever the flights show; empty if none is flown. */
@@ -54,8 +51,10 @@ public record RouteResults(
      *
      * @param inputs the inputs, which state P_N
      */
-    Optional<Double> effectiveness(SectorRoute route, RouteInputs inputs) {
-        return Optional.ofNullable(timely.get(route.sector())).flatMap(interruption -> inputs.stopped()
-                .map(neutralisation -> TimelyDetection.effectiveness(interruption, neutralisation)));
+    static OptionalDouble effectiveness(SectorRoute route, RouteInputs inputs) {
+        return route.alertInTime().isPresent() && inputs.stopped().isPresent()
+                ? OptionalDouble.of(TimelyDetection.effectiveness(
+                        route.alertInTime().getAsDouble(), inputs.stopped().get()))
+                : OptionalDouble.empty();
     }
 }

@@ -39,7 +39,7 @@ public final class RouteTable {
                 + (ModeWords.areSlow(survey) ? text(MODE, "slow") : "")
                 + (ModeWords.areGlides(survey) ? text(MODE, "motors off") : "")
                 + (isRequired ? text(IN_TIME, "in time", "response") : "")
-                + (results.timely().isEmpty() ? "" : text(ALERT, "alert in time"))
+                + (survey.isAlertKnown() ? text(ALERT, "alert in time") : "")
                 + (inputs.stopped().isEmpty() ? "" : text(STOPPED, "stopped"))
                 + "  most exposed to");
         for (int sector = 0; sector < SiteRoutes.SECTORS; sector++) {
@@ -92,14 +92,10 @@ public final class RouteTable {
                         RouteNumbers.percent(route.inTime(response)),
                         RouteNumbers.margin(route.left(), response))
                 : "";
-        String alert = results.timely().isEmpty()
-                ? ""
-                : text(ALERT, RouteNumbers.orDash(results.timely().get(route.sector())));
+        String alert = survey.isAlertKnown() ? text(ALERT, RouteNumbers.orDash(route.alertInTime())) : "";
         String stopped = inputs.stopped().isEmpty()
                 ? ""
-                : text(
-                        STOPPED,
-                        RouteNumbers.orDash(results.effectiveness(route, inputs).orElse(null)));
+                : text(STOPPED, RouteNumbers.orDash(RouteResults.effectiveness(route, inputs)));
         return line
                 + slow
                 + glide

@@ -4,6 +4,7 @@ import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.util.Comparator;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.coverage.table.CoverageTable;
@@ -13,6 +14,9 @@ import org.dronewatch.route.proof.FlownRoute;
 
 /** Routes in words, for decision-makers. */
 final class RouteWords {
+    /** When a drone is detected that hardly ever is, says nothing. */
+    private static final double RARELY = 1e-3;
+
     private final RouteInputs inputs;
 
     RouteWords(RouteInputs inputs) {
@@ -51,6 +55,7 @@ final class RouteWords {
             return switch (cause) {
                 case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
                 case TOO_SLOW -> "across the line of sight or too slow" + often;
+                case TOO_FAST -> "too fast or at a blind speed" + often;
                 case UNKNOWN -> "where the line of sight leaves the known ground" + often;
                 case SILENT -> often.strip() + " without an emission that the sensors recognise";
                 default -> CoverageTable.name(cause) + often;
@@ -63,7 +68,8 @@ final class RouteWords {
             return "no sensor detects the drone on it";
         }
         return "the drone is detected, " + by(route) + ", with a probability of "
-                + RouteNumbers.percent(route.detection()) + ", typically " + when(route);
+                + RouteNumbers.percent(route.detection())
+                + (route.detection() < RARELY ? "" : ", typically " + when(route));
     }
 
     /** The sensor that contributes most, and the next one if it contributes no more than half. */
@@ -88,14 +94,15 @@ final class RouteWords {
         if (inputs.response() == 0.0 || route.mostExposedTo().isEmpty()) {
             return "";
         }
-        Double alert = results.timely().get(route.sector());
+        OptionalDouble alert = route.alertInTime();
         return ". The drone is detected in time with a probability of "
                 + RouteNumbers.percent(route.inTime(inputs.response()))
-                + (alert == null
+                + (alert.isEmpty()
                         ? ""
                         : " if flight and response take exactly as long as planned; if their times vary by "
                                 + RouteNumbers.percent(FlownRoute.SPREAD)
-                                + ", an alert comes in time with a probability of " + RouteNumbers.percent(alert));
+                                + ", an alert comes in time with a probability of "
+                                + RouteNumbers.percent(alert.getAsDouble()));
     }
 
     /** When the drone is typically detected, compared with the response. */

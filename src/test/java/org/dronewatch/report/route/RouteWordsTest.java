@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldSite;
@@ -82,15 +83,19 @@ class RouteWordsTest {
                 Optional.of(new FlownExposure(flown, bySensor)));
     }
 
-    private RouteResults results(SectorRoute route, Map<Integer, Double> timely) {
-        return results(List.of(route), timely);
+    private static SectorRoute withAlert(SectorRoute route, double inTime) {
+        return route.with(route.flown().orElseThrow().withAlertInTime(OptionalDouble.of(inTime)));
     }
 
-    private RouteResults results(List<SectorRoute> routes, Map<Integer, Double> timely) {
+    private RouteResults results(SectorRoute route) {
+        return results(List.of(route));
+    }
+
+    private RouteResults results(List<SectorRoute> routes) {
         RouteSurvey survey = new RouteSurvey(
                 routes, List.of(new RouteMode("powered", 10, 3, 3, Double.POSITIVE_INFINITY)), END, 15.0, true);
         TimeToGo times = null;
-        return new RouteResults(survey, routes, new UnseenPlaces(4000, 0), times, Map.of(), timely, true);
+        return new RouteResults(survey, routes, new UnseenPlaces(4000, 0), times, Map.of(), true);
     }
 
     private static FlownExposure.Step look(double time, double exposure) {
@@ -104,7 +109,7 @@ class RouteWordsTest {
         three.put("b", 0.44);
         three.put("c", 0.26);
         SectorRoute route = route(three, 1.0, List.of(List.of(look(10.0, 0.5), look(20.0, 0.5))));
-        String verdict = new RouteWords(inputs).weakest(results(route, Map.of(0, 0.3)));
+        String verdict = new RouteWords(inputs).weakest(results(withAlert(route, 0.3)));
 
         assertThat(verdict)
                 .contains("the drone is detected, by b (44 %) and a (30 %), with a probability of ")
@@ -115,7 +120,7 @@ class RouteWordsTest {
         three.put("b", 0.60);
         assertThat(new RouteWords(inputs)
                         .weakest(results(
-                                route(three, 1.0, route.flown().orElseThrow().flights()), Map.of())))
+                                route(three, 1.0, route.flown().orElseThrow().flights()))))
                 .contains("is detected, mostly by b, with a probability of ")
                 .contains(". The drone is detected in time with a probability of 39 %.");
     }
@@ -136,22 +141,15 @@ class RouteWordsTest {
         ProvenChance detection = new ProvenChance(0.6, new Proportion(31, 50));
         ProvenChance alert = new ProvenChance(0.4, new Proportion(9, 50));
         RouteProof proof = new RouteProof(detection, Map.of("slow", 0.6), Optional.of(alert), 3, Optional.empty());
-        RouteResults results = results(route, Map.of());
+        RouteResults results = results(route);
         RouteResults without = new RouteResults(
-                results.survey(),
-                results.found(),
-                results.between(),
-                results.times(),
-                Map.of(0, proof),
-                Map.of(),
-                true);
+                results.survey(), results.found(), results.between(), results.times(), Map.of(0, proof), true);
         RouteResults with = new RouteResults(
                 results.survey(),
                 results.found(),
                 results.between(),
                 results.times(),
                 Map.of(0, proof.with(new Proportion(33, 50))),
-                Map.of(),
                 true);
 
         assertThat(RouteTable.lines(without, inputs)).noneMatch(line -> line.contains("with cues"));
@@ -166,7 +164,6 @@ class RouteWordsTest {
                 results.between(),
                 results.times(),
                 Map.of(0, proof.with(new Proportion(50, 50))),
-                Map.of(),
                 true);
         assertThat(RouteTable.lines(more, inputs))
                 .contains("With cues, the drone is detected on the route from the north in 50 of 50 flights"
@@ -228,7 +225,7 @@ class RouteWordsTest {
                 route(Map.of("slow", 20.0), 10.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
         SectorRoute cells = from(2, route(Map.of("slow", 20.0), 0.0, List.of(List.of(look(14.0, 20.0)))));
         SectorRoute alike = from(4, route(Map.of("slow", 3.0), 3.0, List.of(List.of(look(10.0, 3.0)))));
-        RouteResults results = results(List.of(scan, cells, alike), Map.of());
+        RouteResults results = results(List.of(scan, cells, alike));
 
         List<String> lines = RouteTable.summary(results, inputs);
         assertThat(lines.subList(1, lines.size()))
@@ -250,7 +247,7 @@ class RouteWordsTest {
         SectorRoute listed = route(Map.of("slow", 0.7004), 0.7004, List.of(List.of(look(10.0, 0.2))));
         SectorRoute replaced = route(Map.of("slow", 0.5), 0.5, List.of(List.of(look(10.0, 2.0))));
         SectorRoute alike = route(Map.of("slow", 0.6999), 0.6999, List.of(List.of(look(10.0, 2.0))));
-        RouteResults kept = results(listed, Map.of());
+        RouteResults kept = results(listed);
         String note =
                 "By the search alone, the least exposed route comes from the north, with a counted exposure of 0.500"
                         + " (39 %). As flown, the drone is detected less often on the one listed from there.";
@@ -266,8 +263,7 @@ class RouteWordsTest {
     }
 
     private static RouteResults with(RouteResults kept, SectorRoute... found) {
-        return new RouteResults(
-                kept.survey(), List.of(found), kept.between(), kept.times(), kept.proofs(), kept.timely(), true);
+        return new RouteResults(kept.survey(), List.of(found), kept.between(), kept.times(), kept.proofs(), true);
     }
 
     /** What is rarer than one in a thousand is as wide as other numbers, so that it stays under its head. */
@@ -276,9 +272,9 @@ class RouteWordsTest {
         SectorRoute route = route(Map.of("slow", 1e-6), 1e-6, List.of(List.of(look(10.0, 1e-6))));
         ProvenChance never = new ProvenChance(1e-6, new Proportion(0, 100_000));
         RouteProof proof = new RouteProof(never, Map.of("slow", 1e-6), Optional.of(never), 3, Optional.empty());
-        RouteResults found = results(route, Map.of(0, 1e-6));
-        RouteResults results = new RouteResults(
-                found.survey(), found.found(), found.between(), found.times(), Map.of(0, proof), Map.of(0, 1e-6), true);
+        RouteResults found = results(withAlert(route, 1e-6));
+        RouteResults results =
+                new RouteResults(found.survey(), found.found(), found.between(), found.times(), Map.of(0, proof), true);
         List<String> lines = RouteTable.lines(results, inputs);
 
         assertThat(lines).noneMatch(line -> line.contains("less than 0.1 %"));
@@ -306,7 +302,7 @@ class RouteWordsTest {
         RouteProfile profile = new RouteProfile(
                 List.of(new RoutePoint(0, 0, START, 30, 0, 0, true), new RoutePoint(10, 100, END, 30, 0, 1, true)));
         SectorRoute near = new SectorRoute(2, far.route(), profile, far.bySensor(), Map.of(), far.flown());
-        RouteSurvey alone = results(far, Map.of()).survey();
+        RouteSurvey alone = results(far).survey();
         RouteSurvey both = new RouteSurvey(List.of(far, near), alone.modes(), END, 15.0, true);
         RouteSurvey nearAlone = new RouteSurvey(List.of(near), alone.modes(), END, 15.0, true);
 
@@ -358,15 +354,14 @@ class RouteWordsTest {
     void theTableTellsTheExposureThatCountsFromThatOfTheWholeRoute() {
         SectorRoute route = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));
 
-        assertThat(RouteTable.lines(results(route, Map.of()), inputs).get(1))
-                .contains("  counted exposure  lower bound  ");
+        assertThat(RouteTable.lines(results(route), inputs).get(1)).contains("  counted exposure  lower bound  ");
     }
 
     /** A descent above a radar is found in smaller cells, a route close to the ground only at lower heights. */
     @Test
     void whatMayBeFoundElsewhereIsLookedForInSmallerCellsAndLower() {
         SectorRoute route = route(Map.of("slow", 3.0), 3.0, List.of(List.of(look(10.0, 3.0))));
-        RouteResults results = results(route, Map.of());
+        RouteResults results = results(route);
 
         assertThat(new RouteWords(inputs).weakest(results))
                 .endsWith(". Routes were searched for in cells of 20 m, 30 m above the ground.");
@@ -385,10 +380,10 @@ class RouteWordsTest {
         String farther = "sensors detect the drone where a route begins: to let routes begin farther away, try a larger"
                 + " --side.";
 
-        RouteResults seen = results(from(route, 1.0), Map.of());
+        RouteResults seen = results(from(route, 1.0));
         assertThat(new RouteNotes(inputs).notes(seen)).anyMatch(note -> note.endsWith(farther));
         assertThat(RouteFile.toJson(seen, inputs).get("notes").toString()).contains(farther);
-        assertThat(new RouteNotes(inputs).notes(results(from(route, 5.0), Map.of())))
+        assertThat(new RouteNotes(inputs).notes(results(from(route, 5.0))))
                 .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out"))
                 .noneMatch(note -> note.contains("--side"));
     }
@@ -415,7 +410,7 @@ class RouteWordsTest {
         assertThat(route.flown().orElseThrow().detectionByFastLooks(15.0)).isCloseTo(0.58, within(0.005));
         assertThat(route.inTime(15.0)).isCloseTo(0.54, within(0.005));
         assertThat(warning(route)).isEmpty();
-        assertThat(new RouteNotes(inputs).notes(results(route, Map.of())))
+        assertThat(new RouteNotes(inputs).notes(results(route)))
                 .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out"));
     }
 
@@ -427,17 +422,17 @@ class RouteWordsTest {
                 late(List.of(List.of(look(29.0, 20.0)), List.of(), List.of(), List.of()), Map.of("slow", 0.3));
 
         assertThat(warning(late)).isEmpty();
-        assertThat(new RouteNotes(inputs).notes(results(late, Map.of())))
+        assertThat(new RouteNotes(inputs).notes(results(late)))
                 .contains(
                         "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"
                                 + " only by detections that come too late: the search knows only the middle of each cell.");
-        assertThat(new RouteNotes(inputs).notes(results(some, Map.of())))
+        assertThat(new RouteNotes(inputs).notes(results(some)))
                 .contains(
                         "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"
                                 + " only by detections that come too late: the search assumes that 'slow' may look at any moment,"
                                 + " whereas it looks only every 5 s.");
         SectorRoute alike = route(Map.of("slow", 3.0), 3.0, List.of(List.of(look(10.0, 3.0))));
-        assertThat(new RouteNotes(inputs).notes(results(alike, Map.of()))).noneMatch(note -> note.contains("too late"));
+        assertThat(new RouteNotes(inputs).notes(results(alike))).noneMatch(note -> note.contains("too late"));
     }
 
     /** A route on which the search expects no exposure that counts, but one of 3 after that. */
@@ -453,8 +448,7 @@ class RouteWordsTest {
     }
 
     private String warning(SectorRoute route) {
-        return String.join(
-                "\n", new RouteNotes(inputs).warnings(results(route, Map.of()).survey()));
+        return String.join("\n", new RouteNotes(inputs).warnings(results(route).survey()));
     }
 
     /** What the profile draws meets the line of the critical detection point where the table says. */
@@ -472,7 +466,7 @@ class RouteWordsTest {
     @Test
     void mapsStateTheProbabilitiesOfTheTable() {
         SectorRoute route = route(Map.of("slow", 1.0), 10.0, List.of(List.of(look(16.0, 20.0)), List.of()));
-        List<RouteMap.Piece> pieces = RoutePieces.of(results(route, Map.of()).survey());
+        List<RouteMap.Piece> pieces = RoutePieces.of(results(route).survey());
 
         assertThat(pieces.get(pieces.size() - 1).detection()).isEqualTo(route.detection());
         assertThat(route.detection()).isCloseTo(0.5, within(1e-6));
