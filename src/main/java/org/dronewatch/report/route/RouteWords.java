@@ -54,8 +54,7 @@ final class RouteWords {
             String often = route.share(cause) > 0.5 ? " most of the time" : " part of the time";
             return switch (cause) {
                 case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
-                case TOO_SLOW -> "across the line of sight or too slow" + often;
-                case TOO_FAST -> "too fast or at a blind speed" + often;
+                case TOO_SLOW, TOO_FAST -> "across the line of sight or at a speed that radars reject" + often;
                 case UNKNOWN -> "where the line of sight leaves the known ground" + often;
                 case SILENT -> often.strip() + " without an emission that the sensors recognise";
                 default -> CoverageTable.name(cause) + often;
