@@ -3,6 +3,7 @@ package org.dronewatch.app.option;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -152,14 +153,20 @@ public final class RouteOptions {
                 : "the drone cannot fly slowly; performance.hover is false";
     }
 
+    private static String word(FlightMode.Kind kind) {
+        return kind.name().toLowerCase(Locale.ROOT);
+    }
+
     private Optional<List<FlightMode.Kind>> words() {
         if (modes == null) {
             return Optional.empty();
         }
-        List<FlightMode.Kind> asked = Arrays.stream(modes.split(",", -1))
-                .map(word -> FieldOptions.word(MODES, word.strip(), FlightMode.Kind.values(), MODE_WORDS))
+        List<String> words =
+                Arrays.stream(modes.split(",", -1)).map(String::strip).toList();
+        List<FlightMode.Kind> asked = Arrays.stream(FlightMode.Kind.values())
+                .filter(kind -> words.contains(word(kind)))
                 .toList();
-        if (!asked.equals(asked.stream().distinct().sorted().toList())) {
+        if (!words.equals(asked.stream().map(RouteOptions::word).toList())) {
             throw new InputException(GivenOption.words(MODES, modes) + ": must be " + MODE_WORDS);
         }
         return Optional.of(asked);
