@@ -13,10 +13,13 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * What neither the compiler nor the formatter checks: no warnings, comments as narrow as the code, merges resolved.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class LintTest {
     /** The formatter keeps code to it, but leaves comments as they are. */
     private static final int MOST_COLUMNS = 120;

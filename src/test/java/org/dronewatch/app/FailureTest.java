@@ -10,10 +10,13 @@ import java.util.stream.Stream;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Errors of Java are a line that says what to do, and leave nothing behind. */
+@Execution(ExecutionMode.CONCURRENT)
 class FailureTest {
     @TempDir
     private Path directory;

@@ -15,8 +15,11 @@ import org.dronewatch.app.Program.Child;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Every file has the same bytes, whatever the user's language, digits, calendar, time zone and character set are. */
+@Execution(ExecutionMode.CONCURRENT)
 class LocaleTest {
     /** Letters, decimal comma, years, time zone and character set of one, digits and decimal sign of the other. */
     private static final List<List<String>> PLACES = List.of(

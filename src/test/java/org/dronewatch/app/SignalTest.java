@@ -16,6 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -23,6 +25,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * Ctrl-C and a request to terminate, at any moment of any command: the signal's exit code, and nothing that is half.
  */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
+@Execution(ExecutionMode.CONCURRENT)
 class SignalTest {
     private static final List<String> OPTIONS = List.of("-Xmx1g", "-XX:+UseSerialGC");
     private static final List<String> LOG = List.of("out.txt", "err.txt");

@@ -23,8 +23,11 @@ import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Maps and models that unpack to more than a heap of 64 MB holds: each is refused in one line, before memory ends. */
+@Execution(ExecutionMode.CONCURRENT)
 class SmallHeapTest {
     private static final String HALF = "half of the memory that Java may use";
     private static final String MARKER = "#";

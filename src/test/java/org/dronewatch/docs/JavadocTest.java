@@ -10,11 +10,14 @@ import java.util.regex.Pattern;
 import org.dronewatch.JdkTool;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * The API documentation can be written, and there is nothing to warn of: no reference that leads nowhere, no broken
  * HTML. The build itself cannot say so of warnings, since it names an incubating module, which always is one.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class JavadocTest {
     @TempDir
     private Path directory;
