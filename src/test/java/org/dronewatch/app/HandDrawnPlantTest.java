@@ -35,12 +35,13 @@ class HandDrawnPlantTest {
 
     /**
      * With files and directories of the page in the test's directory. The microphone, whose sound takes most of the
-     * time, is switched off in the scene once it has been written.
+     * time, is switched off in the scene once it has been written, and routes are searched in larger cells.
      */
     private String[] words(String command) {
         String microphone = command.contains(" new ") ? "" : " --set sensors.microphone.enabled=false";
         return Pattern.compile(" ")
-                .splitAsStream(command.strip().substring("dronewatch ".length()) + microphone)
+                .splitAsStream(command.strip().substring("dronewatch ".length()).replace("--cell 40m", "--cell 80m")
+                        + microphone)
                 .map(word -> word.startsWith("plant") || word.equals("flat.asc")
                         ? directory.resolve(word).toString()
                         : word)

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.dronewatch.LongForm;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSite;
@@ -69,7 +70,10 @@ class PlaceTimeTest {
                 .isZero();
     }
 
-    /** Half a million attacks would take hours: those that are complete 10 s after the time count, the first ones. */
+    /**
+     * Half a million attacks would take hours: those that are complete 10 s after the time count. That they are the
+     * first ones is repeated in the long form only, since {@link PlaceInterruptionTest} shows it of fewer attacks.
+     */
     @Test
     void attacksEndSoonAfterTheTime() throws IOException {
         Path campaign = CampaignSite.in(directory, CampaignSite.TWO_RANGES);
@@ -80,12 +84,11 @@ class PlaceTimeTest {
                 "--campaign=" + campaign,
                 "--budgets=1",
                 "--out=" + directory);
-        Outcome outcome = run(words, "--time=1ms", "--runs=500000");
+        Outcome outcome = run(words, "--time=1ms", "--runs=500000", "--threads=1");
         JsonNode json = json();
         int flown = json.at("/campaign/variants/layout/n").asInt(0);
         assertThat(flown).isBetween(1, 499_999).matches(number -> number % CampaignRun.CHUNK == 0);
         String report = Files.readString(directory.resolve("report.html"));
-        Outcome whole = run(words, "--runs=" + flown);
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err()).doesNotContain("interrupted");
@@ -96,9 +99,12 @@ class PlaceTimeTest {
         assertThat(report)
                 .contains(String.format(Locale.ROOT, "The attacks are %,d runs of the scene", flown))
                 .doesNotContain("..</");
-        assertThat(whole.code()).as(whole.err()).isZero();
-        assertThat(json.get("campaign").get("variants"))
-                .isEqualTo(json().get("campaign").get("variants"));
+        if (LongForm.IS_ON) {
+            Outcome whole = run(words, "--runs=" + flown);
+            assertThat(whole.code()).as(whole.err()).isZero();
+            assertThat(json.get("campaign").get("variants"))
+                    .isEqualTo(json().get("campaign").get("variants"));
+        }
     }
 
     private static Outcome run(List<String> words, String... more) {

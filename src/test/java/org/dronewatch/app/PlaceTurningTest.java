@@ -67,7 +67,7 @@ class PlaceTurningTest {
     void weakestRoute(String pointing) throws IOException {
         PlacedLayout place = place(
                 "0.05 Hz",
-                "objective: weakest-route\nair: {side: 240 m, cell: 60 m, heights: [40 m], pointing: " + pointing
+                "objective: weakest-route\nair: {side: 240 m, cell: 80 m, heights: [40 m], pointing: " + pointing
                         + "}\n");
         JsonNode routes =
                 place.json("route", "--out=" + directory.resolve("routes")).get("routes");

@@ -80,30 +80,32 @@ final class DocPictures {
             slow(map("route-plan", BIRDS, "routes.png")),
             slow(map("route-profile", BIRDS, "profile.png")),
             slow(map("route-time-to-go", BIRDS, "time-to-go.png")),
-            file("site-closed-space", "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT"),
+            slow(file(
+                    "site-closed-space",
+                    "render closed-space --view orbit --rays --max-order 1 --heard-only --out OUT")),
             file("glider", "render scenes/glider.yaml --view side --time 30 --out OUT"),
             slow(file("multi-sensor-coverage", "coverage multi-sensor --side 400 --height 10 --cells 200 --out OUT")),
             slow(file(
                     "colour-noon",
                     "render scenes/daylight.yaml --camera garden --colour --samples 4 --time 11"
                             + " --set sensors.garden.width=800 --set sensors.garden.height=450 --out OUT")),
-            file(
+            slow(file(
                     "colour-dusk",
                     "render scenes/daylight.yaml --camera west --colour --samples 4 --time 3"
                             + " --set sensors.west.width=800 --set sensors.west.height=450 --set sensors.west.fov=16deg"
                             + " --set world.light.sun.azimuth=300deg --set world.light.sun.elevation=-2deg"
-                            + " --set world.light.illuminance=20 --out OUT"),
+                            + " --set world.light.illuminance=20 --out OUT")),
             slow(file(
                     "colour-church",
                     "render closed-space --camera camera --colour --samples 4"
                             + " --set sensors.camera.width=600 --set sensors.camera.height=600 --out OUT")),
-            plot("range-over-fov", "run camera-range --out OUT", "range-over-sensors-camera-fov"),
+            slow(plot("range-over-fov", "run camera-range --out OUT", "range-over-sensors-camera-fov")),
             slow(plot(
                     "closed-space-decay",
                     "run closed-space --observations --set sensors.microphone.propagation=energy-model"
                             + " --set run.duration=0.5 --out OUT",
                     "decay-microphone-quadrotor")),
-            new DocPicture("ground-effect", directory -> GroundEffectPlot.draw(), false),
+            new DocPicture("ground-effect", directory -> GroundEffectPlot.draw(), true),
             new DocPicture("radar-crossing", directory -> CrossingPlot.draw(), false),
             new DocPicture("false-alerts", directory -> FalseAlertsPlot.draw(), true),
             new DocPicture("viewer-gallery", directory -> PaintedWindow.gallery(), false),

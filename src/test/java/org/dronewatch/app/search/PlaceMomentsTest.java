@@ -57,8 +57,8 @@ class PlaceMomentsTest {
     private static final int WRITTEN = LongForm.count(6, 1);
 
     /** Larger cells than elsewhere, except in the long form: a search takes a third of the time. */
-    private static final String ROUTE_CANDIDATES =
-            "scene: site.yaml\nobjective: weakest-route\nbudget: 4\n" + RadarCandidates.FOUR + larger(RadarCandidates.AIR, "cell: 40 m", "cell: 60 m");
+    private static final String ROUTE_CANDIDATES = "scene: site.yaml\nobjective: weakest-route\nbudget: 4\n"
+            + RadarCandidates.FOUR + larger(RadarCandidates.AIR, "cell: 40 m", "cell: 60 m");
 
     @TempDir
     private Path directory;
