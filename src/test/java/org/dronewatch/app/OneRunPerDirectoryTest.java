@@ -11,12 +11,15 @@ import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.report.RunReport;
 import org.dronewatch.scenes.CameraRange;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Of two runs into one directory the second is refused; what a killed one left behind, the next one removes. */
 class OneRunPerDirectoryTest {
+    private static Path scene;
+
     @TempDir
     private Path directory;
 
@@ -37,16 +40,24 @@ class OneRunPerDirectoryTest {
         return child;
     }
 
+    /** A scene whose run and report take little time. */
+    @BeforeAll
+    static void scene(@TempDir Path beside) throws IOException {
+        Files.copy(Program.FUZZ.resolve("square.obj"), beside.resolve("square.obj"));
+        scene = Files.writeString(
+                beside.resolve("site.yaml"),
+                """
+                world: {models: [square.obj]}
+                drones:
+                  intruder: {model: packaged:quadrotor.obj, flight: {kind: hover, position: [0, 1250, 30]}}
+                sensors:
+                  eye: {kind: camera, position: [0, 1200, 6], width: 320, height: 240, aim: {lookAt: [0, 1250, 20]}}
+                run: {duration: 1 s}
+                """);
+    }
+
     private static Outcome shortRun(Path target) {
-        return Program.run(
-                "run",
-                "camera-range",
-                "--set",
-                "sensors.camera.fov=60deg",
-                "--set",
-                "run.duration=1",
-                "--out",
-                target.toString());
+        return Program.run("run", scene.toString(), "--out", target.toString());
     }
 
     private List<String> names() throws IOException {

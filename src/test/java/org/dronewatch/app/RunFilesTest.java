@@ -19,7 +19,7 @@ class RunFilesTest extends CommandLines {
     /** The same files for the same seed, whatever the number of threads, but for what depends on the clock. */
     @Test
     void aRunWritesTheSameFilesForAnyNumberOfThreads() throws IOException {
-        String scene = "run camera-range --observations --set sensors.camera.width=480 --set sensors.camera.height=270"
+        String scene = "run camera-range --observations --set sensors.camera.width=320 --set sensors.camera.height=180"
                 + " --seed 5 --out DIR/";
         assertThat(commandIn(scene + "one --threads 1").code()).isZero();
         assertThat(commandIn(scene + "two --threads 2").code()).isZero();

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Locale;
 import java.util.Random;
+import org.dronewatch.LongForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -98,8 +99,9 @@ class QuantityTest {
     @EnumSource(Quantity.class)
     void whatIsWrittenExactlyIsReadExactly(Quantity quantity) {
         Random random = new Random(20261123);
-        for (int i = 0; i < 20_000; i++) {
-            double value = i < 10_000
+        int half = LongForm.count(2500, 10_000);
+        for (int i = 0; i < 2 * half; i++) {
+            double value = i < half
                     ? Math.scalb(random.nextDouble() - 0.5, random.nextInt(200) - 100)
                     : Math.toRadians(0.1 * (random.nextInt(7200) - 3600));
             assertThat(quantity.parse(quantity.exactly(value)))

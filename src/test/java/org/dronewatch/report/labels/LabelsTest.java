@@ -155,9 +155,9 @@ class LabelsTest {
 
     /** Small pictures, since it is the masks that count. */
     private static final String[] SMALL = {
-        "--set", "sensors.north-east-1.width=480", "--set", "sensors.north-east-1.height=270",
-        "--set", "sensors.north-west-3.width=480", "--set", "sensors.north-west-3.height=270",
-        "--set", "sensors.south-east-2.width=480", "--set", "sensors.south-east-2.height=270"
+        "--set", "sensors.north-east-1.width=320", "--set", "sensors.north-east-1.height=180",
+        "--set", "sensors.north-west-3.width=320", "--set", "sensors.north-west-3.height=180",
+        "--set", "sensors.south-east-2.width=320", "--set", "sensors.south-east-2.height=180"
     };
 
     /** Sensors of multi-sensor of which no pictures are taken here. */
@@ -215,7 +215,7 @@ class LabelsTest {
         assertThat(coco.get("images")).hasSize(63 + 32 + 63);
         BufferedImage empty = ImageIO.read(
                 directory.resolve("r/labels/south-east-2/000031.png").toFile());
-        assertThat(empty.getWidth() * empty.getHeight()).isEqualTo(LongForm.count(480 * 270, 1920 * 1080));
+        assertThat(empty.getWidth() * empty.getHeight()).isEqualTo(LongForm.count(320 * 180, 1920 * 1080));
 
         SceneRunner runner = new SceneRunner(
                 PackagedScene.find("multi-sensor").orElseThrow().factory().get());

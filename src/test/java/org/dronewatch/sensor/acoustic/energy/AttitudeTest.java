@@ -22,7 +22,7 @@ class AttitudeTest {
     /** Among the first attitudes of this seed is one in which rounding puts points of a sheet on its other side. */
     private static final long LEAKING = 5;
 
-    private static final int ATTITUDES = LongForm.count(40, 100);
+    private static final int ATTITUDES = LongForm.count(25, 100);
     private static final Position SOURCE = new Position(2, 3, 1.5);
     private static final Position SENSOR = new Position(7, 5, 1.7);
     private static final TriangleMesh ROOM = Sites.room(10, 8, 4);
