@@ -189,7 +189,7 @@ final class CampaignLines {
         int width = Math.max(pair.a().length(), pair.b().length());
         out.printf(
                 Locale.ROOT,
-                "cases that decide (%,d of %,d), each with the one variant whose outcome is '%s':%n",
+                "deciding cases (%,d of %,d), each with the one variant whose outcome is '%s':%n",
                 pair.deciding().size(),
                 all,
                 word(pair.outcome()));

@@ -36,7 +36,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Flies the same attacks against two scenes, or against a scene and the same scene with changes; prints"
-                        + " how often the sensors of each detect the drone and an alert comes in time, the difference"
+                        + " how often the sensors of each detect the drone, how often the alert is in time, the difference"
                         + " with its 95 %% confidence interval, and the cases that decide it.",
         footer = {
             "",

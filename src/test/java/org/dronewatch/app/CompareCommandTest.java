@@ -37,7 +37,7 @@ class CompareCommandTest {
         Outcome outcome = compare(site, "--with=sensors.radar.maxRange=350m", "--vary=" + campaign);
         List<String> rows = outcome.out().lines().toList();
         int deciding = rows.indexOf(rows.stream()
-                .filter(row -> row.startsWith("cases that decide"))
+                .filter(row -> row.startsWith("deciding cases"))
                 .findFirst()
                 .orElseThrow());
 

@@ -161,6 +161,6 @@ final class PairWords {
         }
         return counts + "The difference, " + ShareWords.difference(difference, false) + ", is "
                 + (isChance(difference) ? "no more than chance can explain" : "more than chance can explain") + " ("
-                + ShareWords.p(difference) + "). The first cases that decide: " + String.join("; ", cases) + ".";
+                + ShareWords.p(difference) + "). The first deciding cases: " + String.join("; ", cases) + ".";
     }
 }

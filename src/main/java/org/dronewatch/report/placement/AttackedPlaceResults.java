@@ -68,6 +68,6 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
 
     /** How to get the same figures of the campaign again. */
     public String sentence() {
-        return "'" + again + "' gives the same figures of the attacks, and the cases that decide.";
+        return "'" + again + "' gives the same figures of the attacks, and the deciding cases.";
     }
 }
