@@ -58,7 +58,7 @@ class PlaceMomentsTest {
 
     /** Larger cells than elsewhere, except in the long form: a search takes a third of the time. */
     private static final String ROUTE_CANDIDATES = "scene: site.yaml\nobjective: weakest-route\nbudget: 4\n"
-            + RadarCandidates.FOUR + larger(RadarCandidates.AIR, "cell: 40 m", "cell: 60 m");
+            + RadarCandidates.FOUR + coarser(RadarCandidates.AIR, "cell: 40 m", "cell: 60 m");
 
     @TempDir
     private Path directory;
@@ -97,17 +97,20 @@ class PlaceMomentsTest {
         }
     }
 
-    private static String larger(String lines, String cell, String inTheBuild) {
-        assertThat(lines).contains(cell);
-        return LongForm.IS_ON ? lines : lines.replace(cell, inTheBuild);
+    private static String coarser(String lines, String air, String inTheBuild) {
+        assertThat(lines).contains(air);
+        return LongForm.IS_ON ? lines : lines.replace(air, inTheBuild);
     }
 
     private PlacePlan protectedPlan(String lines) throws IOException {
         Path file = PlacedSite.in(directory, lines);
-        if (lines.contains("coverage")) {
-            // Warnings of two sensors, of which no layout would be worse than another in larger cells, take these.
-            Files.writeString(file, larger(Files.readString(file), "cell: 80 m", "cell: 100 m"));
-        }
+        String text = Files.readString(file);
+        // No warning is worse than another one in larger cells: these are at fewer heights instead.
+        Files.writeString(
+                file,
+                lines.contains("coverage")
+                        ? coarser(text, "cell: 80 m", "cell: 100 m")
+                        : coarser(text, "heights: [10 m, 40 m]", "heights: [40 m]"));
         Path scene = directory.resolve("site.yaml");
         Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
         return plan(file);
