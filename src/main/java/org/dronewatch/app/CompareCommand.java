@@ -36,8 +36,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Flies the same attacks against two scenes, or against a scene and the same scene with changes; prints"
-                        + " how often the sensors of each detect the drone, how often the alert is in time, the difference"
-                        + " with its 95 %% confidence interval, and the cases that decide it.",
+                        + " how often the sensors of each detect the drone, how often the alert is in time, the"
+                        + " difference with its 95 %% confidence interval, and the cases that decide it.",
         footer = {
             "",
             "Unless --vary states what varies, the attacks come from all bearings.",

@@ -15,8 +15,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * Readings by the default settings scatter as much as they state, wherever the microphone is. 30 seeds determine a
- * standard deviation to 13 %, the 100 of the long form to 7 %, so what is true of all seeds may fall out of these limits
- * by chance; the seeds are fixed. A stated error that is half or twice the scatter is found with all but certainty. Each
+ * standard deviation to 13 %, the 100 of the long form to 7 %, so what is true of all seeds may fall out of these
+ * limits by chance; the seeds are fixed. A stated error of half or twice the scatter is found almost certainly. Each
  * reading is judged by the error that it states itself: on the hill, about one in a hundred is 0.1 to 0.2 dB too high
  * and says so, and the others are a few hundredths of a decibel off at most. In the best band, a stated error below
  * {@value ReadingSpread#ALLOWANCE} dB may be too large: it allows for rays that were not drawn.
