@@ -13,7 +13,6 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
-import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.SensorSettings;
 
@@ -74,8 +73,7 @@ public final class Coverage {
                     sample,
                     sensor,
                     id,
-                    settings.run().seed(),
-                    new Assessor(id, sensor, stage.world()));
+                    settings.run().seed());
             probers.put(id, prober);
             findings.put(id, prober.probe(progress));
         });

@@ -26,17 +26,41 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
 
 /** One sensor that looks at all points. */
-record Prober(
-        CoverageGrid grid,
-        SurfaceHeights heights,
-        World world,
-        Drone drone,
-        SensorSettings<?> settings,
-        String id,
-        long seed,
-        Assessor assessor) {
-
+final class Prober {
     private static final double EVEN_CHANCE = 0.5;
+
+    private final CoverageGrid grid;
+    private final SurfaceHeights heights;
+    private final World world;
+    private final Drone drone;
+    private final SensorSettings<?> settings;
+    private final String id;
+    private final long seed;
+    private final Assessor assessor;
+    private final Position from;
+
+    /** What turns the sensor; empty for a fixed mount. */
+    private final Optional<Mounted> mount;
+
+    Prober(
+            CoverageGrid grid,
+            SurfaceHeights heights,
+            World world,
+            Drone drone,
+            SensorSettings<?> settings,
+            String id,
+            long seed) {
+        this.grid = grid;
+        this.heights = heights;
+        this.world = world;
+        this.drone = drone;
+        this.settings = settings;
+        this.id = id;
+        this.seed = seed;
+        this.assessor = new Assessor(id, settings, world);
+        this.from = settings.position();
+        this.mount = settings.as(Mounted.class).filter(one -> one.positioner().isPresent());
+    }
 
     /** What the sensor answers in each cell. */
     enum Answer {
@@ -61,40 +85,67 @@ record Prober(
     /** Looks at all cells on the {@link Workers} of the calling thread; leaves out causes that cost more. */
     Findings probe(IntConsumer progress) {
         Findings found = new Findings(grid.cells() * grid.cells());
+        // Two loops: the compiler translates each for its kind of sensor, and keeps what it has translated.
+        boolean hasBounds = assessor.isBounding();
         Workers.forEach(grid.cells(), () -> new Eye(settings.create(), assessor.sibling()), (eye, row) -> {
-            for (int column = 0; column < grid.cells(); column++) {
-                probe(eye, column, row, found);
+            if (hasBounds) {
+                bound(eye, row, found);
+            } else {
+                look(eye, row, found);
             }
             progress.accept(grid.cells());
         });
         return found;
     }
 
-    private void probe(Eye eye, int column, int row, Findings found) {
-        int cell = row * grid.cells() + column;
-        found.answers[cell] = Answer.MISSED;
-        if (Double.isNaN(heights.height[cell])) {
-            return;
+    /** Looks only where bounds leave the answer open. */
+    private void bound(Eye eye, int row, Findings found) {
+        for (int column = 0; column < grid.cells(); column++) {
+            int cell = row * grid.cells() + column;
+            Position at = position(column, row);
+            if (isOpen(cell, at, found)) {
+                bound(eye, cell, at, found);
+            }
         }
-        Position at = position(column, row);
-        if (!world.isKnown(settings.position(), at)) {
-            found.answers[cell] = Answer.UNKNOWN;
-            return;
+    }
+
+    private void bound(Eye eye, int cell, Position at, Findings found) {
+        Optional<Pointing> pointing = turnedTo(at);
+        Optional<AssessmentBounds> bounds = eye.assessor.boundAtAllHeadings(drone, at, pointing);
+        if (bounds.isEmpty() || !isDecisive(bounds.get())) {
+            FlightState state = comingFrom(at);
+            bounds = eye.assessor.bound(drone, state, pointing, Prober::step);
+            if (bounds.isEmpty() || !isDecisive(bounds.get())) {
+                look(eye, cell, drone.at(state), found);
+                return;
+            }
         }
-        Optional<Pointing> pointing = Mounted.turnedTo(settings, at);
-        Optional<AssessmentBounds> bounds =
-                eye.assessor.boundAtAllHeadings(drone, at, pointing).filter(Prober::isDecisive);
-        FlightState state = bounds.isEmpty() ? comingFrom(at) : null;
-        if (bounds.isEmpty()) {
-            bounds = eye.assessor.bound(drone, state, pointing, Prober::step).filter(Prober::isDecisive);
+        found.answers[cell] = bounds.get().least() >= EVEN_CHANCE ? Answer.DETECTED : Answer.MISSED;
+        found.causes[cell] = bounds.get().cause();
+    }
+
+    private void look(Eye eye, int row, Findings found) {
+        for (int column = 0; column < grid.cells(); column++) {
+            int cell = row * grid.cells() + column;
+            Position at = position(column, row);
+            if (isOpen(cell, at, found)) {
+                look(eye, cell, drone.at(comingFrom(at)), found);
+            }
         }
-        if (bounds.isPresent()) {
-            found.answers[cell] = bounds.get().least() >= EVEN_CHANCE ? Answer.DETECTED : Answer.MISSED;
-            found.causes[cell] = bounds.get().cause();
-            return;
-        }
-        Drone drawn = drone.at(state);
+    }
+
+    private void look(Eye eye, int cell, Drone drawn, Findings found) {
         found.answers[cell] = isDetected(eye, look(cell, drawn), drawn) ? Answer.DETECTED : Answer.MISSED;
+    }
+
+    /**
+     * Whether a cell has ground, and all of it below the line of sight is known; if not, this is the answer.
+     *
+     * @param at its position; null without ground
+     */
+    private boolean isOpen(int cell, Position at, Findings found) {
+        found.answers[cell] = at == null || world.isKnown(from, at) ? Answer.MISSED : Answer.UNKNOWN;
+        return at != null && found.answers[cell] == Answer.MISSED;
     }
 
     private static boolean isDecisive(AssessmentBounds bounds) {
@@ -143,31 +194,32 @@ record Prober(
     }
 
     Optional<Explanation> explain(int column, int row) {
-        return comingFrom(column, row).map(drone::at).map(there -> assessor.explainMiss(there, turnedTo(there)));
+        return comingFrom(column, row)
+                .map(drone::at)
+                .map(there -> assessor.explainMiss(there, turnedTo(there.origin())));
     }
 
     private Look look(int cell, Drone there) {
-        return Look.of(seed, id, cell, 0.0).withPointing(turnedTo(there));
+        return Look.of(seed, id, cell, 0.0).withPointing(turnedTo(there.origin()));
     }
 
-    private Optional<Pointing> turnedTo(Drone there) {
-        return Mounted.turnedTo(settings, there.origin());
+    private Optional<Pointing> turnedTo(Position at) {
+        return mount.isEmpty() ? Optional.empty() : mount.get().turnedTo(at);
     }
 
     /** The state of the drone in a cell; empty where there is no ground. */
     private Optional<FlightState> comingFrom(int column, int row) {
-        return Double.isNaN(heights.height[row * grid.cells() + column])
-                ? Optional.empty()
-                : Optional.of(comingFrom(position(column, row)));
+        return Optional.ofNullable(position(column, row)).map(this::comingFrom);
     }
 
+    /** Where the drone is in a cell; null where there is no ground. */
     private Position position(int column, int row) {
         double ground = heights.height[row * grid.cells() + column];
-        return new Position(grid.x(column), grid.y(row), ground + grid.height());
+        return Double.isNaN(ground) ? null : new Position(grid.x(column), grid.y(row), ground + grid.height());
     }
 
     private FlightState comingFrom(Position position) {
-        Position vector = settings.position().minus(position);
+        Position vector = from.minus(position);
         double length = Math.max(vector.length(), Double.MIN_NORMAL);
         Position velocity = vector.times(drone.settings().speed() / length);
         return new FlightState(position, velocity, Math.atan2(vector.x(), vector.y()));

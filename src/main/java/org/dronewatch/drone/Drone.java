@@ -26,7 +26,10 @@ public final class Drone {
     private final KDTree tree;
     private final Silhouettes silhouettes;
     private final Matrix4d modelMatrix;
-    private final Matrix4d worldToModel;
+
+    /** The inverse of the model matrix; null until it is needed. */
+    private volatile Matrix4d worldToModel;
+
     private final Vector3d velocity;
     private final OptionalDouble gliding;
 
@@ -53,8 +56,17 @@ public final class Drone {
         if (!(Math.abs(modelMatrix.determinant()) > 0.0)) {
             throw new IllegalArgumentException("model matrix of drone '" + id + "' must be invertible: " + modelMatrix);
         }
-        this.worldToModel = new Matrix4d();
-        this.worldToModel.invert(modelMatrix);
+    }
+
+    /** Many drones are placed only to ask where they are. Threads that need it at once find the same. */
+    private Matrix4d inverse() {
+        Matrix4d known = worldToModel;
+        if (known == null) {
+            known = new Matrix4d();
+            known.invert(modelMatrix);
+            worldToModel = known;
+        }
+        return known;
     }
 
     /**
@@ -158,12 +170,12 @@ public final class Drone {
 
     /** Writes the matrix from the world to model space. */
     public void worldToModel(Matrix4d target) {
-        target.set(worldToModel);
+        target.set(inverse());
     }
 
     /** A copy of the matrix from the world to model space. */
     public Matrix4d worldToModel() {
-        return new Matrix4d(worldToModel);
+        return new Matrix4d(inverse());
     }
 
     /** The position of its origin in the world, m. */
@@ -183,7 +195,7 @@ public final class Drone {
 
     /** The position in model space of a point of the world, m. */
     public Position toModel(Position point) {
-        return transformed(worldToModel, point);
+        return transformed(inverse(), point);
     }
 
     private static Position transformed(Matrix4d m, Position point) {

@@ -30,32 +30,40 @@ final class MeshTriangles {
         cut.clear();
         boolean covered = cutter.cut(polygon, cut);
         for (int i = 0; i < cut.size(); i += 3) {
-            if (hasArea(i)) {
-                for (int k = 0; k < 3; k++) {
-                    corners.add(cut.get(i + k));
-                }
-                materials.add(material);
-                sourceNumbers.add(numbered + i / 3);
-            }
+            add(cut.get(i), cut.get(i + 1), cut.get(i + 2), material, numbered + i / 3);
         }
         numbered += polygon.length - 2;
         return covered;
     }
 
-    private boolean hasArea(int first) {
-        int a = 3 * cut.get(first);
-        int b = 3 * cut.get(first + 1);
-        int c = 3 * cut.get(first + 2);
-        double[] cross = new double[3];
-        for (int k = 0; k < 3; k++) {
-            int next = (k + 1) % 3;
-            double bk = (double) vertices.get(b + k) - vertices.get(a + k);
-            double bn = (double) vertices.get(b + next) - vertices.get(a + next);
-            double ck = (double) vertices.get(c + k) - vertices.get(a + k);
-            double cn = (double) vertices.get(c + next) - vertices.get(a + next);
-            cross[k] = bk * cn - bn * ck;
+    /** Adds a triangle as it is. */
+    void add(int a, int b, int c, int material) {
+        add(a, b, c, material, numbered);
+        numbered++;
+    }
+
+    private void add(int a, int b, int c, int material, int number) {
+        if (hasArea(3 * a, 3 * b, 3 * c)) {
+            corners.add(a);
+            corners.add(b);
+            corners.add(c);
+            materials.add(material);
+            sourceNumbers.add(number);
         }
-        return cross[0] != 0.0 || cross[1] != 0.0 || cross[2] != 0.0;
+    }
+
+    /** Whether the vectors from the first corner to the others have a vector product. */
+    private boolean hasArea(int a, int b, int c) {
+        double ax = vertices.get(a);
+        double ay = vertices.get(a + 1);
+        double az = vertices.get(a + 2);
+        double bx = vertices.get(b) - ax;
+        double by = vertices.get(b + 1) - ay;
+        double bz = vertices.get(b + 2) - az;
+        double cx = vertices.get(c) - ax;
+        double cy = vertices.get(c + 1) - ay;
+        double cz = vertices.get(c + 2) - az;
+        return by * cz - bz * cy != 0.0 || bz * cx - bx * cz != 0.0 || bx * cy - by * cx != 0.0;
     }
 
     /** How many triangles have an area. */

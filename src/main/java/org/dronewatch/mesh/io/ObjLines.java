@@ -27,6 +27,12 @@ final class ObjLines extends BufferedReader {
     private int nextCheck = LINES_BETWEEN_CHECKS;
     private int firstLine;
 
+    // The statement that was read last: part of the chunk, or of what was put together.
+    private char[] characters = chunk;
+    private char[] together = {};
+    private int statementStart;
+    private int statementEnd;
+
     ObjLines(Reader reader) {
         super(reader);
     }
@@ -49,10 +55,23 @@ final class ObjLines extends BufferedReader {
      */
     @Override
     public String readLine() throws IOException {
-        text.setLength(0);
+        return advance() ? new String(characters, statementStart, statementEnd - statementStart) : null;
+    }
+
+    /**
+     * Reads the next statement like {@link #readLine}, but makes no text of it: its characters are valid until the next
+     * one is read.
+     *
+     * @return false after the last
+     */
+    boolean advance() throws IOException {
         firstLine = lines + 1;
-        if (!appendLine()) {
-            return null;
+        skipLineFeed();
+        if (next == end && !fill()) {
+            return false;
+        }
+        if (!takeLine()) {
+            putTogether();
         }
         if (lines >= nextCheck) {
             nextCheck = lines + LINES_BETWEEN_CHECKS;
@@ -60,16 +79,88 @@ final class ObjLines extends BufferedReader {
                 throw new CancellationException("interrupted while a model was read");
             }
         }
+        return true;
+    }
+
+    /** The characters among which those of the statement are. */
+    char[] characters() {
+        return characters;
+    }
+
+    /** Where the statement starts among the characters. */
+    int start() {
+        return statementStart;
+    }
+
+    /** Where it ends, exclusive. */
+    int end() {
+        return statementEnd;
+    }
+
+    /** Takes a line as it is; false, and nothing is read, where it is continued, invalid, or goes beyond the chunk. */
+    private boolean takeLine() {
+        int comment = -1;
+        int at = next;
+        for (; at < end; at++) {
+            char c = chunk[at];
+            if (c <= '#') {
+                if (c == '\n' || c == '\r' || c == 0) {
+                    break;
+                }
+                comment = c == '#' && comment < 0 ? at : comment;
+            }
+        }
+        if (at == end || chunk[at] == 0 || at > next && chunk[at - 1] == '\\') {
+            return false;
+        }
+        setStatement(chunk, next, at, comment);
+        lines++;
+        afterReturn = chunk[at] == '\r';
+        next = at + 1;
+        return true;
+    }
+
+    private void setStatement(char[] of, int from, int to, int comment) {
+        int start = from;
+        while (start < to && isWhite(of[start])) {
+            start++;
+        }
+        int stop = comment >= 0 && "vVfF#".indexOf(of[start]) >= 0 ? comment : to;
+        while (stop > start && isWhite(of[stop - 1])) {
+            stop--;
+        }
+        characters = of;
+        statementStart = start;
+        statementEnd = stop;
+    }
+
+    /** As {@link Character#isWhitespace(char)}, without a look into its table for what is usual. */
+    static boolean isWhite(char c) {
+        return c == ' ' || (c < ' ' || c > '~') && Character.isWhitespace(c);
+    }
+
+    /** Puts a statement together from one line or more. */
+    private void putTogether() throws IOException {
+        text.setLength(0);
+        appendLine();
         boolean numbers = startsLikeNumbers();
         int from = 0;
         while (!(numbers && text.indexOf("#", from) >= 0) && endsWithBackslash()) {
             from = text.length();
             text.setCharAt(from - 1, ' ');
+            skipLineFeed();
             if (!appendLine()) {
                 break;
             }
         }
-        return statement(numbers);
+        if (text.indexOf("\0") >= 0) {
+            throw new IOException("contains a zero byte: not a text file");
+        }
+        if (together.length < text.length()) {
+            together = new char[text.length()];
+        }
+        text.getChars(0, text.length(), together, 0);
+        setStatement(together, 0, text.length(), numbers ? text.indexOf("#") : -1);
     }
 
     /** Appends what comes before the next end of line; false at the end of the file. */
@@ -92,12 +183,11 @@ final class ObjLines extends BufferedReader {
         }
         if (ended) {
             afterReturn = chunk[next++] == '\r';
-            skipLineFeed();
         }
         return true;
     }
 
-    /** The line feed of a pair of carriage return and line feed belongs to the line before. */
+    /** The line feed of a pair of carriage return and line feed belongs to the line before, which has been read. */
     private void skipLineFeed() throws IOException {
         if (afterReturn && (next < end || fill()) && chunk[next] == '\n') {
             next++;
@@ -126,13 +216,5 @@ final class ObjLines extends BufferedReader {
 
     private boolean endsWithBackslash() {
         return text.length() > 0 && text.charAt(text.length() - 1) == '\\';
-    }
-
-    private String statement(boolean numbers) throws IOException {
-        if (text.indexOf("\0") >= 0) {
-            throw new IOException("contains a zero byte: not a text file");
-        }
-        int comment = numbers ? text.indexOf("#") : -1;
-        return text.substring(0, comment >= 0 ? comment : text.length()).strip();
     }
 }

@@ -40,6 +40,10 @@ final class ObjMeshCollector {
     private final Set<String> libraries = new LinkedHashSet<>();
     private final Map<String, Integer> skipped = new TreeMap<>();
     private String material = NO_MATERIAL;
+
+    /** The number of that material; negative until a face has it. */
+    private int materialNumber = -1;
+
     private long triangles;
 
     ObjMeshCollector(String file, ObjLines lines, Placement placement) {
@@ -81,7 +85,10 @@ final class ObjMeshCollector {
         }
         ends.add(corners.size());
         lineOfFace.add(lines.line());
-        materials.add(materialNumbers.computeIfAbsent(material, name -> materialNumbers.size()));
+        if (materialNumber < 0) {
+            materialNumber = materialNumbers.computeIfAbsent(material, name -> materialNumbers.size());
+        }
+        materials.add(materialNumber);
     }
 
     private int vertex(int index) {
@@ -105,6 +112,7 @@ final class ObjMeshCollector {
 
     void useMaterial(String name) {
         material = name.isEmpty() ? NO_MATERIAL : name;
+        materialNumber = -1;
     }
 
     void addLibrary(String name) {
@@ -144,11 +152,13 @@ final class ObjMeshCollector {
         int firstUncut = 0;
         int start = 0;
         for (int face = 0; face < materials.size(); face++) {
-            int[] polygon = corners.copyOfRange(start, ends.get(face));
-            start = ends.get(face);
-            if (!mesh.add(polygon, materials.get(face)) && uncut++ == 0) {
+            int end = ends.get(face);
+            if (end - start == 3) {
+                mesh.add(corners.get(start), corners.get(start + 1), corners.get(start + 2), materials.get(face));
+            } else if (!mesh.add(corners.copyOfRange(start, end), materials.get(face)) && uncut++ == 0) {
                 firstUncut = lineOfFace.get(face);
             }
+            start = end;
         }
         if (uncut > 0) {
             warnings.add(file + ":" + firstUncut

@@ -23,8 +23,11 @@ final class ObjParser {
     private final ObjMeshCollector collector;
     private final Ints corners = new Ints();
     private final double[] coordinates = new double[3];
-    private String line = "";
+
+    // What is left of the statement.
+    private char[] text = {};
     private int next;
+    private int end;
 
     ObjParser(String file, ObjLines lines, ObjMeshCollector collector) {
         this.file = file;
@@ -34,21 +37,34 @@ final class ObjParser {
 
     /** Reads to the end of the file. */
     void read() throws IOException {
-        for (line = lines.readLine(); line != null; line = lines.readLine()) {
-            next = 0;
-            String word = token();
-            if (!word.isEmpty() && word.charAt(0) != '#') {
-                statement(word);
+        while (lines.advance()) {
+            text = lines.characters();
+            next = lines.start();
+            end = lines.end();
+            if (next < end && text[next] != '#') {
+                statement();
             }
+        }
+    }
+
+    private void statement() {
+        int start = nextToken();
+        // Nearly all are one of these two.
+        int letter = next - start == 1 ? text[start] : 0;
+        if (letter == 'v' || letter == 'V') {
+            vertex();
+        } else if (letter == 'f' || letter == 'F') {
+            face();
+        } else {
+            statement(textFrom(start));
         }
     }
 
     private void statement(String word) {
         String known = word.toLowerCase(Locale.ROOT);
         switch (known) {
-            case "v" -> vertex();
-            // "fo", a face outline, is what old files have for a face.
-            case "f", "fo" -> face();
+            // A face outline is what old files have for a face.
+            case "fo" -> face();
             case "usemtl" -> collector.useMaterial(rest());
             case "mtllib" -> collector.addLibrary(rest());
             default -> {
@@ -63,8 +79,8 @@ final class ObjParser {
     /** Three coordinates; what may follow them, a weight or a colour, must be numbers and has no effect. */
     private void vertex() {
         int count = 0;
-        for (String token = token(); !token.isEmpty(); token = token()) {
-            double value = number(token);
+        for (int start = nextToken(); start < next; start = nextToken()) {
+            double value = number(start);
             if (count < coordinates.length) {
                 coordinates[count] = value;
             }
@@ -80,7 +96,13 @@ final class ObjParser {
      * A number in single precision, which suffices near the origin; coordinates of national grids need double
      * precision.
      */
-    private double number(String token) {
+    private double number(int start) {
+        double plain = PlainDecimal.read(text, start, next);
+        // Not a number where it is not written plainly.
+        if (Math.abs(plain) < FAR - 1f && PlainDecimal.isSafeAsFloat(plain)) {
+            return (float) plain;
+        }
+        String token = textFrom(start);
         try {
             float value = Float.parseFloat(token);
             return Math.abs(value) < FAR ? value : Double.parseDouble(token);
@@ -91,61 +113,83 @@ final class ObjParser {
 
     private void face() {
         corners.clear();
-        for (String token = token(); !token.isEmpty(); token = token()) {
-            corners.add(corner(token));
+        for (int start = nextToken(); start < next; start = nextToken()) {
+            corners.add(corner(start));
         }
         collector.addFace(corners);
     }
 
     /** The vertex index of a corner such as {@code 3}, {@code -1}, {@code 3/1}, {@code 3//2} or {@code 3/1/2}. */
-    private int corner(String token) {
-        int first = token.indexOf('/');
-        if (first < 0) {
-            return index(token, token);
-        }
-        int second = token.indexOf('/', first + 1);
-        // Texture coordinates and normals have no effect, but their indices must be valid.
-        String texture = token.substring(first + 1, second < 0 ? token.length() : second);
-        String normal = second < 0 ? "" : token.substring(second + 1);
-        if (!texture.isEmpty()) {
-            index(texture, token);
-        }
-        if (!normal.isEmpty()) {
-            index(normal, token);
-        }
-        return index(token.substring(0, first), token);
-    }
-
-    private int index(String text, String corner) {
-        int digits = text.startsWith("-") ? 1 : 0;
-        for (int i = digits; i < text.length(); i++) {
-            if (text.charAt(i) < '0' || text.charAt(i) > '9') {
-                throw wrong("not a corner of a face: " + quoted(corner));
+    private int corner(int start) {
+        int first = slash(start);
+        if (first < next) {
+            // Texture coordinates and normals have no effect, but their indices must be valid.
+            int second = slash(first + 1);
+            if (second > first + 1) {
+                index(first + 1, second, start);
+            }
+            if (second + 1 < next) {
+                index(second + 1, next, start);
             }
         }
-        if (text.length() == digits) {
-            throw wrong("not a corner of a face: " + quoted(corner));
-        }
-        if (text.length() - digits > MAX_DIGITS) {
-            throw wrong("index of more than " + MAX_DIGITS + " digits: " + quoted(corner));
-        }
-        return Integer.parseInt(text);
+        return index(start, first, start);
     }
 
-    /** The next token of the line, without white space; empty at its end. */
-    private String token() {
-        while (next < line.length() && Character.isWhitespace(line.charAt(next))) {
-            next++;
+    /** Where the next slash of the token is, or where the token ends. */
+    private int slash(int from) {
+        int at = from;
+        while (at < next && text[at] != '/') {
+            at++;
         }
-        int start = next;
-        while (next < line.length() && !Character.isWhitespace(line.charAt(next))) {
-            next++;
+        return at;
+    }
+
+    private int index(int from, int to, int corner) {
+        boolean isNegative = from < to && text[from] == '-';
+        int digits = isNegative ? from + 1 : from;
+        int index = 0;
+        for (int i = digits; i < to; i++) {
+            if (text[i] < '0' || text[i] > '9') {
+                throw wrong("not a corner of a face: " + quoted(textFrom(corner)));
+            }
+            // What overflows is refused below.
+            index = 10 * index + (text[i] - '0');
         }
-        return line.substring(start, next);
+        if (to == digits) {
+            throw wrong("not a corner of a face: " + quoted(textFrom(corner)));
+        }
+        if (to - digits > MAX_DIGITS) {
+            throw wrong("index of more than " + MAX_DIGITS + " digits: " + quoted(textFrom(corner)));
+        }
+        return isNegative ? -index : index;
+    }
+
+    /**
+     * Goes to the end of the next token of the statement: it is what lies between its start and {@code next}, and is
+     * empty at the end.
+     *
+     * @return its start
+     */
+    private int nextToken() {
+        int at = next;
+        while (at < end && ObjLines.isWhite(text[at])) {
+            at++;
+        }
+        int start = at;
+        while (at < end && !ObjLines.isWhite(text[at])) {
+            at++;
+        }
+        next = at;
+        return start;
+    }
+
+    /** The text from a place up to {@code next}. */
+    private String textFrom(int start) {
+        return new String(text, start, next - start);
     }
 
     private String rest() {
-        return line.substring(next).strip();
+        return new String(text, next, end - next).strip();
     }
 
     private InputException wrong(String what) {

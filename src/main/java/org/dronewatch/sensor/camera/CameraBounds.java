@@ -26,6 +26,9 @@ import org.dronewatch.world.World;
 final class CameraBounds {
     private static final Position AT_REST = new Position(0, 0, 0);
 
+    /** So many signals of few pixels are kept. */
+    private static final int KEPT = 1 << 10;
+
     private final World world;
     private final CameraSignal signals;
     private final Cover cover;
@@ -36,6 +39,9 @@ final class CameraBounds {
 
     /** The bounds without a pixel by cause, if they are the same at all positions. */
     private final Map<Cause, Optional<AssessmentBounds>> unseen = new EnumMap<>(Cause.class);
+
+    /** The signals by number of pixels, if they depend on nothing else; null for those that were not needed yet. */
+    private final Signal[] known = new Signal[KEPT];
 
     CameraBounds(World world, CameraSignal signals, Cover cover) {
         this.world = world;
@@ -240,6 +246,18 @@ final class CameraBounds {
         }
 
         private Signal signal(int pixels) {
+            if (pixels >= KEPT || !signals.countPixelsOnly()) {
+                return newSignal(pixels);
+            }
+            Signal signal = known[pixels];
+            if (signal == null) {
+                signal = newSignal(pixels);
+                known[pixels] = signal;
+            }
+            return signal;
+        }
+
+        private Signal newSignal(int pixels) {
             if (pixels == 0) {
                 return signals.of(view(0));
             }

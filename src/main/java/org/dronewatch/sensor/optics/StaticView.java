@@ -23,7 +23,7 @@ final class StaticView implements Background {
     private final World world;
 
     /** Made when something is traced: a camera in a temporary pose often looks at nothing but the drone. */
-    private TileTracer traversal;
+    private BlockTracer tracer;
 
     private final SiteImage image;
     private final int tilesAcross;
@@ -51,13 +51,13 @@ final class StaticView implements Background {
         tracesBlocks = true;
     }
 
-    private TileTracer newTraversal() {
+    private BlockTracer newTracer() {
         TileTracer created = world.newTileTracer(world.tree());
         Position from = camera.position();
         double[][] grid = camera.grid();
         created.setPicture(
                 new double[] {from.x(), from.y(), from.z()}, grid[0], grid[1], grid[2], camera.near(), camera.far());
-        return created;
+        return new BlockTracer(created, new float[TileTracer.WIDTH * TileTracer.HEIGHT]);
     }
 
     /** The world that it shows. */
@@ -87,11 +87,11 @@ final class StaticView implements Background {
         int block = block(tile);
         synchronized (image.lock(block)) {
             if (image.tile(tile) == null) {
-                traversal = traversal == null ? newTraversal() : traversal;
+                tracer = tracer == null ? newTracer() : tracer;
                 if (tracesBlocks) {
-                    traceBlock(traversal, block);
+                    traceBlock(tracer, block);
                 } else {
-                    trace(traversal, tile % tilesAcross, tile / tilesAcross, 1, 1);
+                    trace(tracer, tile % tilesAcross, tile / tilesAcross, 1, 1);
                 }
             }
             return image.tile(tile);
@@ -108,13 +108,13 @@ final class StaticView implements Background {
     float[] all() {
         float[] distances = new float[camera.width() * camera.height()];
         int blocks = blocksAcross * ((tilesDown + BLOCK_ROWS - 1) / BLOCK_ROWS);
-        Workers.forEach(blocks, this::newTraversal, this::traceBlock);
+        Workers.forEach(blocks, this::newTracer, this::traceBlock);
         Workers.forEach(image.tiles(), tile -> copy(tile, distances));
         return distances;
     }
 
     /** Traces a block, unless all of its tiles have been traced. */
-    private void traceBlock(TileTracer own, int block) {
+    private void traceBlock(BlockTracer own, int block) {
         int column = block % blocksAcross * BLOCK_COLUMNS;
         int row = block / blocksAcross * BLOCK_ROWS;
         int columns = Math.min(BLOCK_COLUMNS, tilesAcross - column);
@@ -129,14 +129,14 @@ final class StaticView implements Background {
     }
 
     /** Traces neighbouring tiles at once. */
-    private void trace(TileTracer own, int column, int row, int tileColumns, int tileRows) {
+    private void trace(BlockTracer own, int column, int row, int tileColumns, int tileRows) {
         int left = column * TILE_WIDTH;
         int top = row * TILE_HEIGHT;
         int width = Math.min(tileColumns * TILE_WIDTH, camera.width() - left);
         int height = Math.min(tileRows * TILE_HEIGHT, camera.height() - top);
-        float[] distances = new float[width * height];
-        own.trace(left, top, width, height);
-        own.copyDistances(distances, 0, width);
+        float[] distances = own.distances;
+        own.tracer.trace(left, top, width, height);
+        own.tracer.copyDistances(distances, 0, width);
         for (int i = 0; i < tileColumns * tileRows; i++) {
             int x = i % tileColumns * TILE_WIDTH;
             int y = i / tileColumns * TILE_HEIGHT;
@@ -148,6 +148,9 @@ final class StaticView implements Background {
             image.put((row + i / tileColumns) * tilesAcross + column + i % tileColumns, part);
         }
     }
+
+    /** What one thread traces with: also memory for the distances of a block, of which each tile takes its own. */
+    private record BlockTracer(TileTracer tracer, float[] distances) {}
 
     private int columns(int left) {
         return Math.min(TILE_WIDTH, camera.width() - left);
