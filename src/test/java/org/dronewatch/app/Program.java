@@ -57,7 +57,7 @@ public final class Program {
     }
 
     /** Starts a class with a main method in a process with more jars on its class path. */
-    static Child startClass(
+    public static Child startClass(
             Class<?> main, Path directory, List<Path> jars, List<String> javaOptions, String... arguments)
             throws IOException {
         List<String> command = java(main, jars, javaOptions);
@@ -96,7 +96,7 @@ public final class Program {
     /** A command in a process. */
     public record Child(Process process, Path out, Path err) implements AutoCloseable {
         /** Waits until it has ended. */
-        Outcome await() throws IOException, InterruptedException {
+        public Outcome await() throws IOException, InterruptedException {
             if (!process.waitFor(120, TimeUnit.SECONDS)) {
                 throw new AssertionError("still running after two minutes: " + Files.readString(err));
             }

@@ -36,6 +36,8 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A survey that finds former assessments is the same as one without them, whatever happens to the files meanwhile. */
 class LayerStoreTest {
@@ -271,7 +273,7 @@ class LayerStoreTest {
         try {
             // Nothing is forbidden to the superuser, who finds the files, too.
             assertThat(text(survey(site, GRID, 0.5, store(), 2))).isEqualTo(expected);
-            Assumptions.assumeFalse(Files.isWritable(place));
+            Assumptions.assumeFalse(Files.isWritable(place), "the superuser may write into any directory");
             assertThat(text(survey(site, GRID, 0.9, store(), 2)))
                     .isEqualTo(text(survey(site, GRID, 0.9, LayerStore.NONE, 2)));
             assertThat(notes).hasSizeLessThanOrEqualTo(1);
@@ -279,6 +281,21 @@ class LayerStoreTest {
         } finally {
             Files.setPosixFilePermissions(place, PosixFilePermissions.fromString("rwxr-xr-x"));
         }
+    }
+
+    /** Where no directory can be made, not even by the superuser, everything is assessed anew. */
+    @ParameterizedTest
+    @ValueSource(strings = {"file", "file/below", "file/far/below"})
+    void aPlaceThatIsNoDirectoryWorks(String name) throws IOException {
+        Path file = Files.writeString(place.resolve("file"), "not a directory");
+        SiteStore kept = new SiteStore(Optional.of(place.resolve(name)), 1 << 28, 0.0, notes::add);
+        for (int time = 0; time < 2; time++) {
+            assertThat(text(survey(site, GRID, 0.5, LayerStore.of(site.settings(), Map.of(), kept), 2)))
+                    .isEqualTo(expected);
+        }
+        assertThat(notes).singleElement().asString().contains(file.toString());
+        assertThat(file).hasContent("not a directory");
+        assertThat(files()).containsExactly(file);
     }
 
     /** Their code is not part of the key. */
