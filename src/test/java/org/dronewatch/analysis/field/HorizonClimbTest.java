@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntBinaryOperator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.world.Visibility;
@@ -45,7 +46,7 @@ class HorizonClimbTest {
     }
 
     private static double[] numbers(String row) {
-        return Arrays.stream(row.strip().split(" "))
+        return Arrays.stream(row.strip().split(" +"))
                 .mapToDouble(Double::parseDouble)
                 .toArray();
     }
@@ -62,6 +63,57 @@ class HorizonClimbTest {
         }
         return TriangleMesh.of(
                 vertices, corners.stream().mapToInt(Integer::intValue).toArray());
+    }
+
+    /** Ground whose height is known at posts a metre apart: two triangles for each four, which meet in a diagonal. */
+    private static World posts(int rows, int columns, boolean isFromNorthWest, IntBinaryOperator heights) {
+        float[] vertices = new float[3 * rows * columns];
+        List<Integer> corners = new ArrayList<>();
+        for (int i = 0; i < rows * columns; i++) {
+            int row = i / columns;
+            int column = i % columns;
+            float[] post = {column, -row, heights.applyAsInt(row, column)};
+            System.arraycopy(post, 0, vertices, 3 * i, 3);
+            if (row > 0 && column > 0) {
+                int north = i - columns;
+                corners.addAll(
+                        isFromNorthWest
+                                ? List.of(i, north, north - 1, i, north - 1, i - 1)
+                                : List.of(i - 1, north, north - 1, i, north, i - 1));
+            }
+        }
+        return World.of(TriangleMesh.of(
+                vertices, corners.stream().mapToInt(Integer::intValue).toArray()));
+    }
+
+    /**
+     * A wall of posts 10 m high on a plain, and a pyramid with sides that rise by 2 m from post to post, for either
+     * diagonal. The ridge's heights are also those of GDAL 3.10; all follow from the sections of the triangles.
+     */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+                    ridge   | true  | 20 20 2 | 20 | 40 50 51 60 70 80 | 0 0 10.2666667 12.6666667 15.3333333 18
+                    ridge   | false | 20 20 2 | 20 | 40 50 51 60 70 80 | 0 0 10.2666667 12.6666667 15.3333333 18
+                    pyramid | true  | 30 5 3  | 10 | 40 50 60          | 0.4 7.2 14
+                    pyramid | false | 30 5 3  | 10 | 40 50 60          | 0.1875 5.6471 12.2105
+                    """)
+    void heightsBehindPostsAreThoseOfTheirTriangles(
+            String shape, boolean isFromNorthWest, String observer, int row, String columns, String expected) {
+        IntBinaryOperator pyramid = (r, c) -> Math.max(0, 20 - 2 * Math.max(Math.abs(r - 30), Math.abs(c - 30)));
+        IntBinaryOperator heights = shape.equals("pyramid") ? pyramid : (r, c) -> c == 50 ? 10 : 0;
+        HorizonClimb climb = new HorizonClimb(posts(61, 81, isFromNorthWest, heights));
+        double[] from = numbers(observer);
+        Position eye = new Position(from[1], -from[0], from[2]);
+        double[] at = numbers(columns);
+        for (int i = 0; i < at.length; i++) {
+            double ground = heights.applyAsInt(row, (int) at[i]);
+            assertThat(climb.lowest(eye, at[i], -row, ground, TOP) - ground)
+                    .as("column %s", at[i])
+                    .isCloseTo(numbers(expected)[i], within(1e-3));
+        }
     }
 
     /** A pyramid with edges of 40 m and a height of 30 m on a plain. */
