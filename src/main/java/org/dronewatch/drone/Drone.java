@@ -26,10 +26,7 @@ public final class Drone {
     private final KDTree tree;
     private final Silhouettes silhouettes;
     private final Matrix4d modelMatrix;
-
-    /** The inverse of the model matrix; null until it is needed. */
-    private volatile Matrix4d worldToModel;
-
+    private final InverseMatrix worldToModel;
     private final Vector3d velocity;
     private final OptionalDouble gliding;
 
@@ -56,17 +53,7 @@ public final class Drone {
         if (!(Math.abs(modelMatrix.determinant()) > 0.0)) {
             throw new IllegalArgumentException("model matrix of drone '" + id + "' must be invertible: " + modelMatrix);
         }
-    }
-
-    /** Many drones are placed only to ask where they are. Threads that need it at once find the same. */
-    private Matrix4d inverse() {
-        Matrix4d known = worldToModel;
-        if (known == null) {
-            known = new Matrix4d();
-            known.invert(modelMatrix);
-            worldToModel = known;
-        }
-        return known;
+        this.worldToModel = new InverseMatrix(modelMatrix);
     }
 
     /**
@@ -170,12 +157,12 @@ public final class Drone {
 
     /** Writes the matrix from the world to model space. */
     public void worldToModel(Matrix4d target) {
-        target.set(inverse());
+        target.set(worldToModel.get());
     }
 
     /** A copy of the matrix from the world to model space. */
     public Matrix4d worldToModel() {
-        return new Matrix4d(inverse());
+        return new Matrix4d(worldToModel.get());
     }
 
     /** The position of its origin in the world, m. */
@@ -195,7 +182,7 @@ public final class Drone {
 
     /** The position in model space of a point of the world, m. */
     public Position toModel(Position point) {
-        return transformed(inverse(), point);
+        return transformed(worldToModel.get(), point);
     }
 
     private static Position transformed(Matrix4d m, Position point) {

@@ -51,7 +51,7 @@ final class CodeStamp {
         CompletableFuture.runAsync(CodeStamp::text);
     }
 
-    /** What lists the entries of the program's jar with their checksums, or the files of a directory with their times. */
+    /** The entries of the program's jar with their checksums, or the files of a directory with their times. */
     private static String code() {
         try {
             CodeSource source = CodeStamp.class.getProtectionDomain().getCodeSource();
