@@ -44,7 +44,7 @@ public enum Discrimination {
         if (ratio <= 0.0) {
             return 0.0;
         }
-        double odds = Math.pow(ratio, 2.7 + 0.7 * ratio);
-        return odds == Double.POSITIVE_INFINITY ? 1.0 : odds / (1.0 + odds);
+        // Written like this, it does not fall by a rounding error where the ratio rises, which bounds rely on.
+        return 1.0 / (1.0 + Math.pow(ratio, -2.7 - 0.7 * ratio));
     }
 }
