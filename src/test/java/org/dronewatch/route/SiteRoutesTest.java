@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -69,18 +70,9 @@ class SiteRoutesTest {
     /** The radar has one look at each route but that from the south-east, whatever the search says. */
     @Test
     void theWeakestIsThatOnWhichTheLooksDetectLeast() {
-        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
-        RouteSurvey searched = RouteSurvey.of(routes, 5.0, sector -> {}, () -> {});
-        RouteSurvey flown = searched.with(
-                searched.routes().stream()
-                        .map(route -> route.with(new FlownExposure(
-                                List.of(
-                                        route.sector() == 3
-                                                ? List.of()
-                                                : List.of(new FlownExposure.Step(0.0, 1.0, 3.0))),
-                                Map.of("round", route.sector() == 3 ? 0.0 : 3.0))))
-                        .toList(),
-                true);
+        RouteSurvey flown = flown(route -> new FlownExposure(
+                List.of(route.sector() == 3 ? List.of() : List.of(new FlownExposure.Step(0.0, 1.0, 3.0))),
+                Map.of("round", route.sector() == 3 ? 0.0 : 3.0)));
 
         assertThat(flown.weakest().orElseThrow().sector()).isEqualTo(3);
         assertThat(flown.routes()).hasSize(8);
@@ -106,16 +98,8 @@ class SiteRoutesTest {
      */
     @Test
     void aRouteOnWhichTheDroneIsSurelyDetectedTooLateIsNotTheWeakest() {
-        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
-        RouteSurvey searched = RouteSurvey.of(routes, 5.0, sector -> {}, () -> {});
-        RouteSurvey flown = searched.with(
-                searched.routes().stream()
-                        .map(route -> route.with(
-                                route.sector() == 5
-                                        ? seen(0.5, 4e-4)
-                                        : seen(route.route().seconds() - 1.0, 10.0)))
-                        .toList(),
-                true);
+        RouteSurvey flown = flown(route ->
+                route.sector() == 5 ? seen(0.5, 4e-4) : seen(route.route().seconds() - 1.0, 10.0));
 
         assertThat(flown.weakest().orElseThrow().sector()).isEqualTo(5);
         for (SectorRoute route : flown.routes()) {
@@ -129,21 +113,24 @@ class SiteRoutesTest {
      */
     @Test
     void anAlertThatMayComeInTimeCounts() {
-        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
-        RouteSurvey searched = RouteSurvey.of(routes, 5.0, sector -> {}, () -> {});
-        RouteSurvey flown = searched.with(
-                searched.routes().stream()
-                        .map(route -> route.with(
-                                route.sector() == 5
-                                        ? seen(0.5, 0.01).withAlertInTime(OptionalDouble.of(0.01))
-                                        : seen(route.route().seconds() - 4.9, 10.0)
-                                                .withAlertInTime(OptionalDouble.of(0.5))))
-                        .toList(),
-                true);
+        RouteSurvey flown = flown(route -> route.sector() == 5
+                ? seen(0.5, 0.01).withAlertInTime(OptionalDouble.of(0.01))
+                : seen(route.route().seconds() - 4.9, 10.0).withAlertInTime(OptionalDouble.of(0.5)));
 
         assertThat(flown.isAlertKnown()).isTrue();
         assertThat(flown.weakest().orElseThrow().sector()).isEqualTo(5);
-        assertThat(searched.isAlertKnown()).isFalse();
+        assertThat(flown(route -> seen(0.5, 0.01)).isAlertKnown()).isFalse();
+    }
+
+    /** The routes of the site for a response of 5 s, as they are flown. */
+    private RouteSurvey flown(Function<SectorRoute, FlownExposure> looks) {
+        SiteRoutes routes = SiteRoutes.of(field, site.settings(), site.stage(), FieldSite.DRONE);
+        RouteSurvey searched = RouteSurvey.of(routes, 5.0, sector -> {}, () -> {});
+        return searched.with(
+                searched.routes().stream()
+                        .map(route -> route.with(looks.apply(route)))
+                        .toList(),
+                true);
     }
 
     /** By one look. */

@@ -26,7 +26,12 @@ final class RouteNumbers {
 
     /** A probability or a fraction in percent, {@code 54 %}; {@code < 0.1 %} where it is lower, but not 0. */
     static String percent(double share) {
-        return share == 0.0 ? "0 %" : share < 0.001 ? "< 0.1 %" : ReadableNumbers.measured(share, "");
+        return share == 0.0 ? "0 %" : isRare(share) ? "< 0.1 %" : ReadableNumbers.measured(share, "");
+    }
+
+    /** Whether a probability is printed as less than 0.1 %. */
+    static boolean isRare(double probability) {
+        return probability < 0.001;
     }
 
     /** A probability in percent, or a dash where there is none. */

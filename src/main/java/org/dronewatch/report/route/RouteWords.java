@@ -14,9 +14,6 @@ import org.dronewatch.route.proof.FlownRoute;
 
 /** Routes in words, for decision-makers. */
 final class RouteWords {
-    /** When a drone is detected that hardly ever is, says nothing. */
-    private static final double RARELY = 1e-3;
-
     private final RouteInputs inputs;
 
     RouteWords(RouteInputs inputs) {
@@ -68,7 +65,7 @@ final class RouteWords {
         }
         return "the drone is detected, " + by(route) + ", with a probability of "
                 + RouteNumbers.percent(route.detection())
-                + (route.detection() < RARELY ? "" : ", typically " + when(route));
+                + (RouteNumbers.isRare(route.detection()) ? "" : ", typically " + when(route));
     }
 
     /** The sensor that contributes most, and the next one if it contributes no more than half. */

@@ -91,13 +91,13 @@ public final class CoveragePicture {
     private void drawMap(World world) {
         int[] pixels = ReliefShade.of(world, grid.east(), grid.north(), grid.side(), MAP);
         int[] cells = IntStream.range(0, MAP).map(u -> u * grid.cells() / MAP).toArray();
-        Layer[] layers = colours.kinds().stream()
+        List<Layer> layers = colours.kinds().stream()
                 .map(kind -> new Layer(
                         coverage.cellsOfKind(kind),
                         grid.cells(),
                         cells,
                         colours.of(kind).getRGB()))
-                .toArray(Layer[]::new);
+                .toList();
         Workers.forEach(MAP, v -> {
             for (int u = 0; u < MAP; u++) {
                 int pixel = v * MAP + u;

@@ -2,9 +2,6 @@ package org.dronewatch.run.store;
 
 import java.io.IOException;
 import java.net.URISyntaxException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.CodeSource;
@@ -13,9 +10,6 @@ import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import java.util.zip.CRC32;
-import java.util.zip.CRC32C;
-import java.util.zip.Checksum;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import org.dronewatch.setting.input.FileHash;
@@ -29,16 +23,6 @@ final class CodeStamp {
             + System.getProperty("java.vm.version")
             + System.getProperty("os.arch")
             + code());
-
-    /** A jar ends with this many bytes, which begin with a mark, if it has no comment. */
-    private static final int END_BYTES = 22;
-
-    private static final int END_MARK = 0x06054b50;
-
-    /** Where in them the size of the list of entries is, and where its start in the file. */
-    private static final int END_SIZE = 12;
-
-    private static final int END_START = 16;
 
     private CodeStamp() {}
 
@@ -56,42 +40,14 @@ final class CodeStamp {
         try {
             CodeSource source = CodeStamp.class.getProtectionDomain().getCodeSource();
             Path path = Path.of(source.getLocation().toURI());
-            return Files.isDirectory(path) ? files(path) : jar(path);
+            return Files.isDirectory(path) ? files(path) : entries(path);
         } catch (IOException | URISyntaxException | RuntimeException e) {
             // Unknown code agrees with nothing, not even with itself.
             return UUID.randomUUID().toString();
         }
     }
 
-    /** Two checksums of the jar's own list of its thousands of entries, without an object for each. */
-    static String jar(Path jar) throws IOException {
-        try (FileChannel file = FileChannel.open(jar)) {
-            ByteBuffer end = read(file, Math.max(0, file.size() - END_BYTES), END_BYTES);
-            int size = end.getInt(END_SIZE);
-            int start = end.getInt(END_START);
-            if (end.getInt(0) != END_MARK || start < 0 || size < 0 || start + (long) size > file.size() - END_BYTES) {
-                return entries(jar);
-            }
-            ByteBuffer list = read(file, start, size);
-            return size + " " + sum(new CRC32(), list) + " " + sum(new CRC32C(), list);
-        }
-    }
-
-    private static ByteBuffer read(FileChannel file, long start, int size) throws IOException {
-        ByteBuffer bytes = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
-        for (int read = 0; bytes.hasRemaining() && read >= 0; ) {
-            read = file.read(bytes, start + bytes.position());
-        }
-        return bytes.clear();
-    }
-
-    private static long sum(Checksum sum, ByteBuffer bytes) {
-        sum.update(bytes.array());
-        return sum.getValue();
-    }
-
-    /** For a jar with a comment at its end, or one beyond the limits of the format's first version. */
-    private static String entries(Path jar) throws IOException {
+    static String entries(Path jar) throws IOException {
         try (ZipFile file = new ZipFile(jar.toFile())) {
             return file.stream()
                     .map(entry -> entry.getName() + " " + checksum(entry))
