@@ -141,7 +141,7 @@ public final class SiteRoutes {
      * @return as many, in the same order
      */
     public List<WeakestRoute> joined(List<WeakestRoute> routes) {
-        return JoinedRoutes.of(this.routes, routes, endurance::allows);
+        return JoinedRoutes.of(this.routes, routes, this::startsLike, endurance::allows);
     }
 
     /**
@@ -182,7 +182,8 @@ public final class SiteRoutes {
                     sector,
                     sectors.contains(sector) ? again.from(starts(sector)).orElse(own) : own);
         });
-        List<WeakestRoute> joined = JoinedRoutes.of(again, List.copyOf(found.values()), route -> true);
+        List<WeakestRoute> joined =
+                JoinedRoutes.of(again, List.copyOf(found.values()), this::startsLike, route -> true);
         List<Integer> order = List.copyOf(found.keySet());
         Map<Integer, List<WeakestRoute>> others = new LinkedHashMap<>();
         for (int i = 0; i < order.size(); i++) {
@@ -210,6 +211,11 @@ public final class SiteRoutes {
     /** The nodes between which routes lead. */
     public RouteGrid grid() {
         return problem.grid();
+    }
+
+    /** The nodes at which a route from the same sector may begin. */
+    private BitSet startsLike(WeakestRoute route) {
+        return starts(sector(route.path().points().get(0)));
     }
 
     private BitSet starts(int sector) {

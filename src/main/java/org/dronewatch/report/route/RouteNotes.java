@@ -7,9 +7,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
+import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.proof.RouteStarts;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.setting.PlainText;
@@ -38,6 +40,7 @@ final class RouteNotes {
                         begins(survey).stream(),
                         search.replaced(results).stream(),
                         search.unproven(survey).stream(),
+                        missing(survey).stream(),
                         exhausting(survey).stream(),
                         heights.belowCeiling().stream(),
                         heights.beginningHigh(survey).stream(),
@@ -67,6 +70,22 @@ final class RouteNotes {
                         + " flights of each route, which begin at moments spread over the " + looks.period(sensor)
                         + " between two looks of '"
                         + PlainText.value(sensor) + (isSearching(sensor) ? "' in the same direction." : "'."));
+    }
+
+    /** From where no route leads; empty if one leads from everywhere, or if not all sectors were searched. */
+    private Optional<String> missing(RouteSurvey survey) {
+        List<Integer> sectors = IntStream.range(0, SiteRoutes.SECTORS)
+                .filter(sector -> survey.routes().stream().noneMatch(route -> route.sector() == sector))
+                .boxed()
+                .toList();
+        // Not all sectors need to have a part of a launch area.
+        boolean isMeant = survey.isComplete() && inputs.launch().isEmpty();
+        return sectors.isEmpty() || !isMeant
+                ? Optional.empty()
+                : Optional.of("No route leads " + RouteDirections.fromSectors(sectors)
+                        + ": either the drone can begin nowhere there, or no way between the cells is within its limits on"
+                        + " climb, descent, turns and endurance; to look for one, try a larger --side, a smaller --cell or"
+                        + " other --heights.");
     }
 
     /** On which routes the drone has nothing left of its endurance at the end; empty if there are none. */

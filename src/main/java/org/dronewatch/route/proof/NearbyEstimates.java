@@ -9,7 +9,8 @@ import java.util.stream.Stream;
 /**
  * What the estimates of a sensor's looks from about the same place on a route show together. A look that one trace in a
  * thousand detects has probably no detection in its first few estimates, and would never get more of them; its
- * neighbours, from all moments at which the route begins, show what to expect of it. Immutable.
+ * neighbours, from all moments at which the route begins, show what to expect of it. Where no trace along the whole
+ * route has detected the drone, one of them might well have. Immutable.
  */
 final class NearbyEstimates {
     /** As many looks before and after one count as its neighbours, by time. */
@@ -44,6 +45,11 @@ final class NearbyEstimates {
                 end++;
             }
             return (sums[end] - sums[first]) / (counts[end] - counts[first]);
+        }
+
+        /** The mean of all if one of their traces detected the drone. */
+        double least() {
+            return RayEstimate.ofOneTrace(counts[times.length]);
         }
     }
 
@@ -95,5 +101,19 @@ final class NearbyEstimates {
         double window = NEIGHBOURS / schedule.sensors().get(look.number()).rate() + ROUNDING;
         double mean = bySensor.get(look.number()).mean(time - window, time + window);
         return Math.max(estimate.variance(), RayEstimate.ofTraces(mean));
+    }
+
+    /**
+     * The same, but no lower than if one of all the sensor's traces along the route had detected the drone.
+     *
+     * @param flight from one of the moments at which the route begins
+     * @param number of the look in its schedule
+     */
+    double cautiousVariance(BegunFlight flight, int number) {
+        ScheduledLook look = flight.schedule().looks().get(number);
+        boolean isOfTraces = look.estimate().isRandom() && !look.estimate().isLevel();
+        double least =
+                isOfTraces ? RayEstimate.ofTraces(bySensor.get(look.number()).least()) : 0.0;
+        return Math.max(variance(flight, number), least);
     }
 }

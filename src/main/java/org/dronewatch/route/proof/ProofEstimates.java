@@ -55,6 +55,26 @@ final class ProofEstimates {
         return estimates.flights;
     }
 
+    /**
+     * The standard error of a predicted probability, because looks along the flights are estimated with random rays.
+     * Where they show no detection at all, more estimates would take longer than the runs: then the error counts.
+     *
+     * @param flights of the same route from each of the moments at which it begins
+     * @param left the time that must be left for a detection to count, s
+     */
+    static double error(List<BegunFlight> flights, double left) {
+        NearbyEstimates nearby = new NearbyEstimates(flights);
+        double sum = 0.0;
+        for (BegunFlight flight : flights) {
+            double[] weights = LookWeights.of(flight, left).each();
+            for (int i = 0; i < weights.length; i++) {
+                int count = flight.schedule().looks().get(i).estimate().count();
+                sum += count > 0 ? weights[i] * weights[i] * nearby.cautiousVariance(flight, i) / count : 0.0;
+            }
+        }
+        return Math.sqrt(sum) / flights.size();
+    }
+
     private boolean areEnough() {
         return IntStream.range(0, flights.size()).allMatch(flight -> {
             List<ScheduledLook> looks = flights.get(flight).schedule().looks();

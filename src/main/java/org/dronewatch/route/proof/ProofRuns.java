@@ -58,33 +58,39 @@ final class ProofRuns {
                 });
         int plain = (int) IntStream.range(0, runs).filter(RouteProof::isPlain).count();
         return new RouteProof(
-                proven(isDetected, flight -> flight.detection(MissedLooks.Wait.SEEN)),
+                proven(isDetected, 0.0, flight -> flight.detection(MissedLooks.Wait.SEEN)),
                 bySensor,
-                alerts.map(confirmation -> proven(isInTime, BegunFlight::alertInTime)),
+                alerts.map(confirmation -> proven(isInTime, response(), BegunFlight::alertInTime)),
                 plain,
                 Optional.empty());
+    }
+
+    private double response() {
+        return flights.get(0).settings().alert().response();
     }
 
     /** How alerts are confirmed, if it matters whether they come in time, and can be predicted. */
     private Optional<Confirmation> alerts() {
         AlertSettings alert = flights.get(0).settings().alert();
         boolean isAsked =
-                alert.response() > 0.0 && AlertChances.isKnown(flights.get(0).schedule(), alert);
+                response() > 0.0 && AlertChances.isKnown(flights.get(0).schedule(), alert);
         return isAsked ? Optional.of(alert.confirm()) : Optional.empty();
     }
 
     /**
      * The runs in which something came true, with the mean probability. The first moments have one run more than the
      * others if the number of runs is not a multiple of that of the moments.
+     *
+     * @param left the time that must be left for a detection to count, s
      */
-    private ProvenChance proven(boolean[] isTrue, ToDoubleFunction<BegunFlight> probability) {
+    private ProvenChance proven(boolean[] isTrue, double left, ToDoubleFunction<BegunFlight> probability) {
         int runs = isTrue.length;
         double[] each = flights.stream().mapToDouble(probability).toArray();
         double predicted = IntStream.range(0, Math.min(runs, each.length))
                 .mapToDouble(begin -> each[begin] * ((runs - 1 - begin) / each.length + 1) / runs)
                 .sum();
         int count = (int) IntStream.range(0, runs).filter(run -> isTrue[run]).count();
-        return new ProvenChance(predicted, new Proportion(count, runs));
+        return new ProvenChance(predicted, ProofEstimates.error(flights, left), new Proportion(count, runs));
     }
 
     private void check(FlownRun replayed, SceneSettings settings, long seed, Optional<Confirmation> alerts) {

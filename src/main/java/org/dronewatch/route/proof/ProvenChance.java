@@ -6,9 +6,10 @@ import org.dronewatch.statistics.Proportion;
  * A predicted probability, and the proportion of runs in which the event occurred.
  *
  * @param predicted mean probability of all runs, 0 to 1
+ * @param error standard error of the prediction, because looks are estimated with random rays; 0 if none are
  * @param flown proportion of the runs
  */
-public record ProvenChance(double predicted, Proportion flown) {
+public record ProvenChance(double predicted, double error, Proportion flown) {
     /** The confidence of the interval. */
     public static final double CONFIDENCE = 0.99;
 
@@ -26,11 +27,20 @@ public record ProvenChance(double predicted, Proportion flown) {
                 && predicted <= interval().high() + ROUNDING;
     }
 
-    /**
-     * Whether the prediction lies in this interval or in the exact one: if less than one case is expected, a single one
-     * is less rare than the Wilson interval implies.
-     */
+    /** Whether the prediction lies in this interval, or is {@linkplain #isPlausible plausible} with its confidence. */
     public boolean agrees() {
-        return isInInterval() || flown.isPlausible(predicted, CONFIDENCE);
+        return isInInterval() || isPlausible(CONFIDENCE);
+    }
+
+    /**
+     * Whether the exact interval of the runs and that of the prediction, which is normally distributed, overlap: if less
+     * than one case is expected, a single one is less rare than the Wilson interval implies.
+     *
+     * @param confidence of each of the intervals, above 0 and below 1
+     */
+    public boolean isPlausible(double confidence) {
+        double mayBeOff = error * Proportion.normal(confidence);
+        double nearest = Math.max(predicted - mayBeOff, Math.min(predicted + mayBeOff, flown.share()));
+        return flown.isPlausible(Math.max(0.0, Math.min(1.0, nearest)), confidence);
     }
 }

@@ -87,4 +87,9 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
     static double ofTraces(double probability) {
         return probability * (1.0 - probability) / TRACES;
     }
+
+    /** The mean of some estimates by the level model if a single one of their traces detects the drone. */
+    static double ofOneTrace(double estimates) {
+        return 1.0 / (TRACES * estimates);
+    }
 }

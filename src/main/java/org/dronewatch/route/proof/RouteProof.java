@@ -124,7 +124,7 @@ public record RouteProof(
 
     /** The prediction, which knows no cues, compared with the runs with cues; empty if there are none. */
     public Optional<ProvenChance> withCues() {
-        return cued.map(runs -> new ProvenChance(predicted(), runs));
+        return cued.map(runs -> new ProvenChance(predicted(), detection.error(), runs));
     }
 
     /** Whether all predictions agree with the runs. */

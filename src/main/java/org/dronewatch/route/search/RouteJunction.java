@@ -38,7 +38,16 @@ final class RouteJunction {
      * @return empty if none is less exposed than the own path
      */
     Optional<RoutePath> best(RoutePath own, RoutePath other) {
-        double least = exposure.along(own);
+        return best(own, other, exposure.along(own));
+    }
+
+    /**
+     * The same for a way that leads nowhere else.
+     *
+     * @param most exposure of the result, exclusive
+     */
+    Optional<RoutePath> best(RoutePath own, RoutePath other, double most) {
+        double least = most;
         Optional<RoutePath> best = Optional.empty();
         for (Junction junction : junctions(own, other, least)) {
             if (junction.rest() >= least) {
@@ -89,7 +98,7 @@ final class RouteJunction {
         int mode = own.modes().isEmpty() ? 0 : own.modes().get(Math.max(0, from - 1));
         double length = own.points().get(from).distance(other.points().get(to));
         int onwards = other.modes().get(to);
-        return (onwards == mode || problem.isExchangeable(mode, onwards)) && length > 0.0 && length <= longest;
+        return (onwards == mode || problem.mayChangeFrom(mode)) && length > 0.0 && length <= longest;
     }
 
     private double leg(RoutePath own, RoutePath other, Junction junction) {

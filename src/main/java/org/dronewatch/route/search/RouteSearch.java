@@ -2,6 +2,7 @@ package org.dronewatch.route.search;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.parallel.Workers;
 
@@ -77,6 +78,17 @@ public final class RouteSearch {
                 search.reach(state, 0.0, NONE);
             }
         }
+        return search.settleAll();
+    }
+
+    /**
+     * Searches for routes to states from which what is still to come is known.
+     *
+     * @param onwards by state, the exposure from there on
+     */
+    static RouteTree toStates(RouteProblem problem, Map<Integer, Double> onwards) {
+        RouteSearch search = new RouteSearch(problem);
+        onwards.forEach((state, exposure) -> search.reach(state, exposure, NONE));
         return search.settleAll();
     }
 

@@ -125,6 +125,24 @@ class RouteWordsTest {
                 .contains(". The drone is detected in time with a probability of 39 %.");
     }
 
+    @Test
+    void aNoteStatesFromWhereNoRouteLeads() {
+        RouteResults results = results(route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0)))));
+
+        assertThat(new RouteNotes(inputs).notes(results))
+                .anyMatch(note -> note.startsWith("No route leads from all directions but the north: "));
+        RouteInputs launched = new RouteInputs(
+                inputs.scene(),
+                inputs.drone(),
+                inputs.settings(),
+                inputs.protection(),
+                inputs.grid(),
+                inputs.pointing(),
+                Optional.of("{centre: [0, 300], radius: 10}"),
+                Optional.empty());
+        assertThat(new RouteNotes(launched).notes(results)).noneMatch(note -> note.startsWith("No route leads"));
+    }
+
     /** Not even a look at the moment at which the flight begins is in time. */
     @Test
     void nothingIsInTimeForAResponseThatTakesLongerThanTheFlight() {
@@ -138,8 +156,8 @@ class RouteWordsTest {
     @Test
     void theTableStatesTheProofWithCues() {
         SectorRoute route = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));
-        ProvenChance detection = new ProvenChance(0.6, new Proportion(31, 50));
-        ProvenChance alert = new ProvenChance(0.4, new Proportion(9, 50));
+        ProvenChance detection = new ProvenChance(0.6, 0.0, new Proportion(31, 50));
+        ProvenChance alert = new ProvenChance(0.4, 0.0, new Proportion(9, 50));
         RouteProof proof = new RouteProof(detection, Map.of("slow", 0.6), Optional.of(alert), 3, Optional.empty());
         RouteResults results = results(route);
         RouteResults without = new RouteResults(
@@ -232,6 +250,7 @@ class RouteWordsTest {
                 .filteredOn(line -> line.contains("from the"))
                 .satisfiesExactlyInAnyOrder(
                         line -> assertThat(line).contains("Less exposed routes from the south cannot be ruled out"),
+                        line -> assertThat(line).startsWith("No route leads from the north-east, south-east, "),
                         line -> assertThat(line).contains("misjudges the route from the east:", "--cell 10m"),
                         line -> assertThat(line).contains("misjudges the route from the north:", "'slow'"));
     }
@@ -270,7 +289,7 @@ class RouteWordsTest {
     @Test
     void smallNumbersDoNotMoveColumns() {
         SectorRoute route = route(Map.of("slow", 1e-6), 1e-6, List.of(List.of(look(10.0, 1e-6))));
-        ProvenChance never = new ProvenChance(1e-6, new Proportion(0, 100_000));
+        ProvenChance never = new ProvenChance(1e-6, 0.0, new Proportion(0, 100_000));
         RouteProof proof = new RouteProof(never, Map.of("slow", 1e-6), Optional.of(never), 3, Optional.empty());
         RouteResults found = results(withAlert(route, 1e-6));
         RouteResults results =
@@ -385,7 +404,7 @@ class RouteWordsTest {
         assertThat(RouteFile.toJson(seen, inputs).get("notes").toString()).contains(farther);
         assertThat(new RouteNotes(inputs).notes(results(from(route, 5.0))))
                 .anyMatch(note -> note.startsWith("Less exposed routes from the north cannot be ruled out"))
-                .noneMatch(note -> note.contains("--side"));
+                .noneMatch(note -> note.contains("farther away"));
     }
 
     /** The route, exposed from some time on, s. */

@@ -48,14 +48,22 @@ class NearbyEstimatesTest {
         NearbyEstimates nearby = new NearbyEstimates(List.of(first, second));
 
         // 7 looks of each flight with 64 traces each, one of which detects the drone.
-        double mean = 1.0 / (2 * 7 * 64);
+        double near = ofTraces(1.0 / (2 * 7 * 64));
+        // Elsewhere, no more is known than that one of all traces might have detected the drone.
+        double far = ofTraces(1.0 / (2 * LOOKS * 64));
         for (int look = 0; look < LOOKS; look++) {
-            double expected = Math.abs(look - 10) <= 3 ? mean * (1.0 - mean) / 32.0 : 0.0;
-            assertThat(nearby.variance(second, look)).as("look %d", look).isCloseTo(expected, within(1e-15));
+            boolean isNear = Math.abs(look - 10) <= 3;
+            assertThat(nearby.variance(second, look)).as("look %d", look).isCloseTo(isNear ? near : 0.0, within(1e-15));
+            assertThat(nearby.cautiousVariance(second, look)).isCloseTo(isNear ? near : far, within(1e-15));
         }
         assertThat(nearby.variance(first, 10))
                 .as("its own estimates vary more")
-                .isCloseTo(1.0 / 64.0 * 63.0 / 64.0 / 32.0, within(1e-15));
+                .isCloseTo(ofTraces(1.0 / 64.0), within(1e-15));
+    }
+
+    /** The variance of one estimate of 32 traces. */
+    private static double ofTraces(double probability) {
+        return probability * (1.0 - probability) / 32.0;
     }
 
     @Test
@@ -66,5 +74,7 @@ class NearbyEstimatesTest {
         BegunFlight flight = flight(site, 0.0, 10, RayEstimate.exact(0.3));
 
         assertThat(new NearbyEstimates(List.of(flight)).variance(flight, 9)).isZero();
+        assertThat(new NearbyEstimates(List.of(flight)).cautiousVariance(flight, 9))
+                .isZero();
     }
 }

@@ -1,0 +1,88 @@
+package org.dronewatch.route.search;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.CancellationException;
+import org.dronewatch.geometry.Position;
+
+/**
+ * The least exposed ways over the nodes, from anywhere, to routes that are known already and lead on from there. What a
+ * leg over the nodes is exposed to is not quite what a smoothed route is exposed to, and smoothing only improves a route
+ * bit by bit: therefore the weakest route may begin with a long way round to a route from another side, and be found in
+ * no other way. Immutable and thread-safe.
+ */
+final class RouteDetours {
+    private final RouteProblem problem;
+    private final List<RoutePath> known;
+    private final Map<Integer, Entry> entries = new TreeMap<>();
+    private final RouteTree tree;
+
+    /**
+     * Where a way leads on along a known route.
+     *
+     * @param route which of them
+     * @param exposure from there on
+     */
+    private record Entry(int route, double exposure) {}
+
+    /**
+     * A way to a known route.
+     *
+     * @param way over the nodes, to a node near a corner of the route
+     * @param route the known route
+     */
+    record Detour(RoutePath way, RoutePath route) {}
+
+    /**
+     * Searches.
+     *
+     * @param known routes, as far as their exposure counts
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    RouteDetours(RouteProblem problem, List<RoutePath> known) {
+        this.problem = problem;
+        this.known = List.copyOf(known);
+        for (int route = 0; route < known.size(); route++) {
+            enter(route);
+        }
+        Map<Integer, Double> onwards = new TreeMap<>();
+        entries.forEach((state, entry) -> onwards.put(state, entry.exposure()));
+        this.tree = RouteSearch.toStates(problem, onwards);
+    }
+
+    /** Lets ways lead to the nodes nearest to the corners of a route, whatever the drone's heading is there. */
+    private void enter(int route) {
+        RoutePath path = known.get(route);
+        RouteExposure exposure = new RouteExposure(problem);
+        int size = problem.grid().size();
+        double rest = 0.0;
+        for (int leg = path.modes().size() - 1; leg >= 0; leg--) {
+            Position corner = path.points().get(leg);
+            int mode = path.modes().get(leg);
+            rest += exposure.leg(corner, path.points().get(leg + 1), mode);
+            for (int heading = 0; heading < problem.headings(); heading++) {
+                int state = (mode * problem.headings() + heading) * size
+                        + problem.grid().nearest(corner);
+                entries.merge(
+                        state, new Entry(route, rest), (one, other) -> other.exposure() < one.exposure() ? other : one);
+            }
+        }
+    }
+
+    /** The least exposed way from some nodes to a known route; empty if there is none, or if such a route begins there. */
+    Optional<Detour> from(BitSet starts) {
+        return tree.weakest(starts, 1).stream()
+                .map(tree::states)
+                .filter(states -> states.size() > 1)
+                .map(this::detour)
+                .findFirst();
+    }
+
+    private Detour detour(List<Integer> states) {
+        Entry entry = entries.get(states.get(states.size() - 1));
+        return new Detour(tree.path(states), known.get(entry.route()));
+    }
+}
