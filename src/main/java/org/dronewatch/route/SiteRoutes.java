@@ -18,6 +18,7 @@ import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.search.EnduranceLimit;
+import org.dronewatch.route.search.JoinedRoutes;
 import org.dronewatch.route.search.RouteExposure;
 import org.dronewatch.route.search.RouteGrid;
 import org.dronewatch.route.search.RouteMode;
@@ -141,7 +142,7 @@ public final class SiteRoutes {
      * @return as many, in the same order
      */
     public List<WeakestRoute> joined(List<WeakestRoute> routes) {
-        return JoinedRoutes.of(this.routes, routes, this::startsLike, endurance::allows);
+        return JoinedRoutes.of(this.routes, routes, startsLike(routes), endurance::allows);
     }
 
     /**
@@ -182,8 +183,8 @@ public final class SiteRoutes {
                     sector,
                     sectors.contains(sector) ? again.from(starts(sector)).orElse(own) : own);
         });
-        List<WeakestRoute> joined =
-                JoinedRoutes.of(again, List.copyOf(found.values()), this::startsLike, route -> true);
+        List<WeakestRoute> all = List.copyOf(found.values());
+        List<WeakestRoute> joined = JoinedRoutes.of(again, all, startsLike(all), route -> true);
         List<Integer> order = List.copyOf(found.keySet());
         Map<Integer, List<WeakestRoute>> others = new LinkedHashMap<>();
         for (int i = 0; i < order.size(); i++) {
@@ -213,9 +214,11 @@ public final class SiteRoutes {
         return problem.grid();
     }
 
-    /** The nodes at which a route from the same sector may begin. */
-    private BitSet startsLike(WeakestRoute route) {
-        return starts(sector(route.path().points().get(0)));
+    /** By route, the nodes at which one from the same sector may begin. */
+    private List<BitSet> startsLike(List<WeakestRoute> found) {
+        return found.stream()
+                .map(route -> starts(sector(route.path().points().get(0))))
+                .toList();
     }
 
     private BitSet starts(int sector) {

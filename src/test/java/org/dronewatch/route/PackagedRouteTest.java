@@ -22,11 +22,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Weakest routes and random flights of real scenes, flown with many seeds: the predictions of detections, and of alerts
- * in time, lie in Wilson's 99 % intervals, but for three in a hundred, and all of them, with their own errors, in exact
- * intervals that are so wide that only one in a million lies outside by chance; in the short form, in Wilson's intervals or the exact ones.
- * Of 1,000 runs, 50 are repeated as plain runs, whose first detection and alert must be the same. In the long form,
- * {@code -Ddronewatch.sites=meadow,glider} chooses scenes. Each flight is a line as soon as it is done.
+ * Weakest routes and random flights of real scenes, flown with many seeds: the predictions of detections, and of
+ * alerts in time, lie in Wilson's 99 % intervals, but for three in a hundred, and all of them, with their own errors,
+ * in exact intervals that are so wide that only one in a million lies outside by chance; in the short form, in
+ * Wilson's intervals or the exact ones. Of 1,000 runs, 50 are repeated as plain runs, whose first detection and alert
+ * must be the same. In the long form, {@code -Ddronewatch.sites=meadow,glider} chooses scenes. Each flight is a line
+ * as soon as it is done.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class PackagedRouteTest {

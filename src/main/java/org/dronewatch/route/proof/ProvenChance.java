@@ -33,8 +33,8 @@ public record ProvenChance(double predicted, double error, Proportion flown) {
     }
 
     /**
-     * Whether the exact interval of the runs and that of the prediction, which is normally distributed, overlap: if less
-     * than one case is expected, a single one is less rare than the Wilson interval implies.
+     * Whether the exact interval of the runs and that of the prediction, which is normally distributed, overlap: if
+     * less than one case is expected, a single one is less rare than the Wilson interval implies.
      *
      * @param confidence of each of the intervals, above 0 and below 1
      */

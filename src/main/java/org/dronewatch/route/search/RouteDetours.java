@@ -9,10 +9,10 @@ import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.Position;
 
 /**
- * The least exposed ways over the nodes, from anywhere, to routes that are known already and lead on from there. What a
- * leg over the nodes is exposed to is not quite what a smoothed route is exposed to, and smoothing only improves a route
- * bit by bit: therefore the weakest route may begin with a long way round to a route from another side, and be found in
- * no other way. Immutable and thread-safe.
+ * The least exposed ways over the nodes, from anywhere, to routes that are known already and lead on from there. What
+ * a leg over the nodes is exposed to is not quite what a smoothed route is exposed to, and smoothing only improves a
+ * route bit by bit: therefore the weakest route may begin with a long way round to a route from another side, and be
+ * found in no other way. Immutable and thread-safe.
  */
 final class RouteDetours {
     private final RouteProblem problem;
@@ -72,7 +72,7 @@ final class RouteDetours {
         }
     }
 
-    /** The least exposed way from some nodes to a known route; empty if there is none, or if such a route begins there. */
+    /** The least exposed way from some nodes to a known route; empty if there is none, or if one begins there. */
     Optional<Detour> from(BitSet starts) {
         return tree.weakest(starts, 1).stream()
                 .map(tree::states)

@@ -216,62 +216,13 @@ public final class WeakestRoutes {
         return new Smoothed(described(whole, lower), new RouteExposure(priced).along(finish.counted(whole)));
     }
 
-    /**
-     * The less exposed one of a route and those that begin like it, but then join another route.
-     *
-     * @param others routes of the same search from other nodes
-     */
-    public WeakestRoute joined(WeakestRoute own, List<WeakestRoute> others) {
-        RouteJunction junction = new RouteJunction(priced);
-        RoutePath counted = finish.counted(own.path());
-        Optional<RoutePath> head = Optional.empty();
-        RoutePath rest = own.path();
-        for (WeakestRoute other : others) {
-            RoutePath before = finish.counted(other.path());
-            Optional<RoutePath> better = junction.best(head.orElse(counted), before);
-            if (better.isPresent()) {
-                head = better;
-                rest = other.path().after(before);
-            }
-        }
-        RoutePath last = rest;
-        return head.map(path -> described(whole(path, last), own.lower()))
-                .filter(route -> route.exposure() < own.exposure())
-                .orElse(own);
-    }
-
-    /**
-     * By route, the less exposed one of it and the one that leads from some nodes over a detour to any of these routes.
-     *
-     * @param routes of the same search
-     * @param starts by route, the nodes at which it may begin
-     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
-     */
-    public List<WeakestRoute> withDetours(List<WeakestRoute> routes, List<BitSet> starts) {
-        List<RoutePath> counted =
-                routes.stream().map(route -> finish.counted(route.path())).toList();
-        RouteDetours detours = new RouteDetours(priced, counted);
-        WeakestRoute[] better = new WeakestRoute[routes.size()];
-        Workers.forEach(better.length, i -> {
-            WeakestRoute own = routes.get(i);
-            better[i] = detours.from(starts.get(i))
-                    .flatMap(detour -> new RouteJunction(priced)
-                            .best(detour.way(), detour.route(), Double.POSITIVE_INFINITY)
-                            .map(path -> whole(path, rest(routes, counted, detour.route()))))
-                    .map(path -> described(path, own.lower()))
-                    .filter(route -> route.exposure() < own.exposure())
-                    .orElse(own);
-        });
-        return List.of(better);
-    }
-
-    /** What follows the part of a route that counts. */
-    private static RoutePath rest(List<WeakestRoute> routes, List<RoutePath> counted, RoutePath part) {
-        return routes.get(counted.indexOf(part)).path().after(part);
+    /** The problem with the price of time. */
+    RouteProblem priced() {
+        return priced;
     }
 
     /** A path whose exposure counts, smoothed if it may turn anywhere, and the rest of the way to its end. */
-    private RoutePath whole(RoutePath path, RoutePath rest) {
+    RoutePath whole(RoutePath path, RoutePath rest) {
         RoutePath head = problem.turnRadius() > 0.0 ? path : RouteSmoothing.of(priced, path);
         return finish.of(head.then(rest));
     }

@@ -14,9 +14,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * A square of 400 m with nodes 10 m apart, where a drone at 10 m/s is exposed to 1/s everywhere but in a lane, 1 m wide,
- * on its way from the west straight to the east: it lies between the nodes, so that the search over them does not see
- * it, and smoothing does not come upon it.
+ * A square of 400 m with nodes 10 m apart, where a drone at 10 m/s is exposed to 1/s everywhere but in a lane, 1 m
+ * wide, on its way from the west straight to the east: it lies between the nodes, so that the search over them does
+ * not see it, and smoothing does not come upon it.
  */
 class RouteDetoursTest {
     private static final double SPEED = 10.0;
@@ -71,7 +71,10 @@ class RouteDetoursTest {
         WeakestRoute own = search.from(problem.starts()).orElseThrow();
         WeakestRoute along = search.described(ALONG, 0.0);
 
-        List<WeakestRoute> better = search.withDetours(List.of(own, along), List.of(problem.starts(), node(-200, 0)));
+        List<WeakestRoute> better =
+                JoinedRoutes.of(search, List.of(own, along), List.of(problem.starts(), node(-200, 0)), route -> true);
+        List<WeakestRoute> nearby =
+                JoinedRoutes.of(search, List.of(own, along), List.of(new BitSet(), new BitSet()), route -> true);
 
         double least = Math.hypot(END - 200.0, 180.0 - LANE - 0.5) / SPEED + EITHER_END;
         assertThat(own.exposure()).isBetween(Math.hypot(400.0, 180.0) / SPEED - EITHER_END, 48.0);
@@ -80,7 +83,7 @@ class RouteDetoursTest {
         assertThat(better.get(0).lower()).isEqualTo(own.lower());
         assertFlyable(better.get(0).path(), problem);
         assertThat(better.get(1).exposure()).isLessThanOrEqualTo(along.exposure());
-        assertThat(search.joined(own, List.of(along))).as("by short legs alone").isEqualTo(own);
+        assertThat(nearby.get(0)).as("by short legs alone").isEqualTo(own);
     }
 
     private static void assertFlyable(RoutePath path, RouteProblem problem) {

@@ -1,0 +1,106 @@
+package org.dronewatch.route.search;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.dronewatch.parallel.Workers;
+
+/**
+ * Routes from several sides, each of which may join another one where that is less exposed: the smoothing may end in a
+ * local minimum from one side, but not from another. Not thread-safe.
+ */
+public final class JoinedRoutes {
+    private final WeakestRoutes search;
+    private final RouteJunction junction;
+    private final List<WeakestRoute> routes;
+
+    private JoinedRoutes(WeakestRoutes search, List<WeakestRoute> routes) {
+        this.search = search;
+        this.junction = new RouteJunction(search.priced());
+        this.routes = new ArrayList<>(routes);
+    }
+
+    /**
+     * The routes after they have joined others.
+     *
+     * @param search in whose exposure they are compared
+     * @param routes as found by it
+     * @param starts by route, the nodes at which it may begin instead
+     * @param isAllowed whether a route may replace the one that has joined another
+     * @return as many, in the same order
+     * @throws CancellationException when this thread is interrupted; its interrupt status is kept
+     */
+    public static List<WeakestRoute> of(
+            WeakestRoutes search, List<WeakestRoute> routes, List<BitSet> starts, Predicate<WeakestRoute> isAllowed) {
+        JoinedRoutes joined = new JoinedRoutes(search, routes);
+        joined.goRound(starts, isAllowed);
+        joined.joinNearby(isAllowed);
+        return List.copyOf(joined.routes);
+    }
+
+    /** Lets each route lead round to any of them, however far that is, if it is then less exposed. */
+    private void goRound(List<BitSet> starts, Predicate<WeakestRoute> isAllowed) {
+        List<RoutePath> counted =
+                routes.stream().map(route -> search.counted(route.path())).toList();
+        RouteDetours detours = new RouteDetours(search.priced(), counted);
+        WeakestRoute[] better = new WeakestRoute[routes.size()];
+        Workers.forEach(better.length, i -> {
+            WeakestRoute own = routes.get(i);
+            better[i] = detours.from(starts.get(i))
+                    .flatMap(detour -> along(detour, routes.get(counted.indexOf(detour.route()))))
+                    .map(path -> search.described(path, own.lower()))
+                    .filter(route -> route.exposure() < own.exposure())
+                    .filter(isAllowed)
+                    .orElse(own);
+        });
+        for (int i = 0; i < better.length; i++) {
+            routes.set(i, better[i]);
+        }
+    }
+
+    /** A detour, joined to its route at a corner nearby. */
+    private Optional<RoutePath> along(RouteDetours.Detour detour, WeakestRoute route) {
+        return junction.best(detour.way(), detour.route(), Double.POSITIVE_INFINITY)
+                .map(path -> search.whole(path, route.path().after(detour.route())));
+    }
+
+    /** Lets each route, the least exposed first, leave its course for that of less exposed ones nearby. */
+    private void joinNearby(Predicate<WeakestRoute> isAllowed) {
+        List<Integer> leastFirst = IntStream.range(0, routes.size())
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> routes.get(i).exposure()))
+                .toList();
+        for (int own : leastFirst) {
+            WeakestRoute better = joinedNearby(routes.get(own));
+            if (isAllowed.test(better)) {
+                routes.set(own, better);
+            }
+        }
+    }
+
+    /** The less exposed one of a route and those that begin like it, but then join a less exposed one. */
+    private WeakestRoute joinedNearby(WeakestRoute own) {
+        RoutePath counted = search.counted(own.path());
+        Optional<RoutePath> head = Optional.empty();
+        RoutePath rest = own.path();
+        for (WeakestRoute other : routes) {
+            if (other.exposure() < own.exposure()) {
+                RoutePath before = search.counted(other.path());
+                Optional<RoutePath> better = junction.best(head.orElse(counted), before);
+                if (better.isPresent()) {
+                    head = better;
+                    rest = other.path().after(before);
+                }
+            }
+        }
+        RoutePath last = rest;
+        return head.map(path -> search.described(search.whole(path, last), own.lower()))
+                .filter(route -> route.exposure() < own.exposure())
+                .orElse(own);
+    }
+}
