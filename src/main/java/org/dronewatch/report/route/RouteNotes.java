@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.SiteRoutes;
+import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.route.proof.RouteStarts;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.setting.PlainText;
@@ -47,7 +48,8 @@ final class RouteNotes {
                         search.unseen(results.between()).stream(),
                         search.tooLate(survey).stream(),
                         withoutAlert(results).stream(),
-                        cued(results).stream())
+                        cued(results).stream(),
+                        searching(results).stream())
                 .flatMap(Function.identity())
                 .toList();
     }
@@ -151,12 +153,32 @@ final class RouteNotes {
     private Optional<String> cued(RouteResults results) {
         List<String> routes = new ArrayList<>();
         results.proofs().forEach((sector, proof) -> proof.withCues()
+                .map(cued -> asListed(cued, sector, results.survey()))
                 .filter(cued -> !cued.agrees())
                 .ifPresent(cued -> routes.add("on the route from the " + RouteWords.sector(sector) + " in "
-                        + cued.flown().count() + " of " + cued.flown().of() + " flights instead of the predicted "
+                        + cued.flown().count() + " of " + cued.flown().of() + " flights instead of the "
+                        + (inputs.isCued() ? "listed " : "predicted ")
                         + RouteNumbers.percent(cued.predicted()))));
         return routes.isEmpty()
                 ? Optional.empty()
                 : Optional.of("With cues, the drone is detected " + String.join(", ", routes) + ".");
+    }
+
+    /** Flights with cues, compared with what is listed where that counts positioners as cued. */
+    private ProvenChance asListed(ProvenChance cued, int sector, RouteSurvey survey) {
+        return inputs.isCued()
+                ? RouteWords.route(sector, survey)
+                        .map(route -> new ProvenChance(route.detection(), 0.0, cued.flown()))
+                        .orElse(cued)
+                : cued;
+    }
+
+    /** States that a proof says nothing of sensors that count as cued; empty if none does, or there is no proof. */
+    private Optional<String> searching(RouteResults results) {
+        return inputs.isCued() && !results.proofs().isEmpty()
+                ? Optional.of(
+                        "In the flights that are compared with 'predicted', positioners only search: they say nothing of"
+                                + " the probabilities listed for the routes, for which positioners count as cued.")
+                : Optional.empty();
     }
 }

@@ -52,7 +52,7 @@ public final class JoinedRoutes {
         Workers.forEach(better.length, i -> {
             WeakestRoute own = routes.get(i);
             better[i] = detours.from(starts.get(i))
-                    .flatMap(detour -> along(detour, routes.get(counted.indexOf(detour.route()))))
+                    .flatMap(detour -> along(detour.way(), counted.get(detour.route()), routes.get(detour.route())))
                     .map(path -> search.described(path, own.lower()))
                     .filter(route -> route.exposure() < own.exposure())
                     .filter(isAllowed)
@@ -63,10 +63,10 @@ public final class JoinedRoutes {
         }
     }
 
-    /** A detour, joined to its route at a corner nearby. */
-    private Optional<RoutePath> along(RouteDetours.Detour detour, WeakestRoute route) {
-        return junction.best(detour.way(), detour.route(), Double.POSITIVE_INFINITY)
-                .map(path -> search.whole(path, route.path().after(detour.route())));
+    /** A way that joins a route at a corner nearby, and leads on along it, first along the part that counts. */
+    private Optional<RoutePath> along(RoutePath way, RoutePath counted, WeakestRoute route) {
+        return junction.best(way, counted, Double.POSITIVE_INFINITY)
+                .map(path -> search.whole(path, route.path().after(counted)));
     }
 
     /** Lets each route, the least exposed first, leave its course for that of less exposed ones nearby. */
@@ -77,9 +77,7 @@ public final class JoinedRoutes {
                 .toList();
         for (int own : leastFirst) {
             WeakestRoute better = joinedNearby(routes.get(own));
-            if (isAllowed.test(better)) {
-                routes.set(own, better);
-            }
+            routes.set(own, isAllowed.test(better) ? better : routes.get(own));
         }
     }
 

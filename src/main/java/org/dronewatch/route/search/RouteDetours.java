@@ -16,7 +16,6 @@ import org.dronewatch.geometry.Position;
  */
 final class RouteDetours {
     private final RouteProblem problem;
-    private final List<RoutePath> known;
     private final Map<Integer, Entry> entries = new TreeMap<>();
     private final RouteTree tree;
 
@@ -32,9 +31,9 @@ final class RouteDetours {
      * A way to a known route.
      *
      * @param way over the nodes, to a node near a corner of the route
-     * @param route the known route
+     * @param route which of the known routes
      */
-    record Detour(RoutePath way, RoutePath route) {}
+    record Detour(RoutePath way, int route) {}
 
     /**
      * Searches.
@@ -44,9 +43,8 @@ final class RouteDetours {
      */
     RouteDetours(RouteProblem problem, List<RoutePath> known) {
         this.problem = problem;
-        this.known = List.copyOf(known);
         for (int route = 0; route < known.size(); route++) {
-            enter(route);
+            enter(route, known.get(route));
         }
         Map<Integer, Double> onwards = new TreeMap<>();
         entries.forEach((state, entry) -> onwards.put(state, entry.exposure()));
@@ -54,8 +52,7 @@ final class RouteDetours {
     }
 
     /** Lets ways lead to the nodes nearest to the corners of a route, whatever the drone's heading is there. */
-    private void enter(int route) {
-        RoutePath path = known.get(route);
+    private void enter(int route, RoutePath path) {
         RouteExposure exposure = new RouteExposure(problem);
         int size = problem.grid().size();
         double rest = 0.0;
@@ -83,6 +80,6 @@ final class RouteDetours {
 
     private Detour detour(List<Integer> states) {
         Entry entry = entries.get(states.get(states.size() - 1));
-        return new Detour(tree.path(states), known.get(entry.route()));
+        return new Detour(tree.path(states), entry.route());
     }
 }

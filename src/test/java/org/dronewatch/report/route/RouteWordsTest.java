@@ -188,6 +188,40 @@ class RouteWordsTest {
                         + " instead of the predicted 60 %.");
     }
 
+    /** The route lists 63 % with sensors on positioners that count as cued; no prediction of flights knows these. */
+    @Test
+    void flightsWithCuesAreComparedWithWhatIsListedForCuedSensors() throws IOException {
+        FieldSite mounted = FieldSite.in(
+                directory,
+                "  slow: {kind: camera, position: [0, 0, 4], aim: {azimuth: 0 deg}, positioner: {use: viper}}\n");
+        RouteInputs cued = new RouteInputs(
+                "site",
+                FieldSite.DRONE,
+                mounted.settings(),
+                inputs.protection(),
+                inputs.grid(),
+                FieldTerms.Turning.CUED,
+                Optional.empty(),
+                Optional.empty());
+        RouteResults kept = results(route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0)))));
+        ProvenChance searching = new ProvenChance(0.1, 0.0, new Proportion(5, 50));
+        RouteProof proof = new RouteProof(searching, Map.of("slow", 0.1), Optional.empty(), 3, Optional.empty());
+        RouteResults few = proven(kept, proof.with(new Proportion(6, 50)));
+        RouteResults enough = proven(kept, proof.with(new Proportion(31, 50)));
+
+        assertThat(new RouteNotes(cued).notes(few))
+                .contains("With cues, the drone is detected on the route from the north in 6 of 50 flights"
+                        + " instead of the listed 63 %.")
+                .anyMatch(note -> note.endsWith("for which positioners count as cued."));
+        assertThat(new RouteNotes(cued).notes(enough)).noneMatch(note -> note.startsWith("With cues"));
+        assertThat(new RouteNotes(cued).notes(kept)).noneMatch(note -> note.endsWith("count as cued."));
+    }
+
+    private static RouteResults proven(RouteResults kept, RouteProof proof) {
+        return new RouteResults(
+                kept.survey(), kept.found(), kept.between(), kept.times(), Map.of(0, proof), kept.isComplete());
+    }
+
     /** Half of the flights are surely detected in time, and half of them surely not. */
     @Test
     void namesTheScanWhereItIsTheCause() {
