@@ -72,9 +72,20 @@ class LintTest {
         assertThat(outcome.messages()).contains("[rawtypes]");
     }
 
+    @Test
+    void aBrokenReferenceIsFound() throws IOException, InterruptedException {
+        Path source = Files.writeString(
+                directory.resolve("Odd.java"), "class Odd { /** As {@link Nobody}. */ private int number; }\n");
+        JdkTool.Outcome outcome = compiled(List.of(source));
+        assertThat(outcome.code()).isNotZero();
+        assertThat(outcome.messages()).contains("reference not found");
+    }
+
     private JdkTool.Outcome compiled(List<Path> sources) throws IOException, InterruptedException {
         List<String> options = List.of(
                 "-Xlint:all,-classfile",
+                // Broken references and broken HTML, also where Javadoc is not published.
+                "-Xdoclint:all,-missing",
                 "-Werror",
                 "-proc:none",
                 // No code is generated: all that is warned of has been found by then.

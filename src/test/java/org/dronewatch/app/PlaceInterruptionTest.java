@@ -89,7 +89,7 @@ class PlaceInterruptionTest {
         Files.writeString(directory.resolve("radars.place.yaml"), PlaceAttacksTest.CANDIDATES);
         Outcome outcome;
         int flown;
-        long wait = 500;
+        long wait = 200;
         do {
             // On a busy machine, no attack may be complete yet.
             wait *= 2;

@@ -1,6 +1,7 @@
 package org.dronewatch.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.dronewatch.JdkTool;
+import org.dronewatch.LongForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
@@ -46,17 +48,15 @@ class JavadocTest {
         return complaints;
     }
 
+    /**
+     * In the build, {@link org.dronewatch.LintTest} finds broken references and HTML: the compiler checks comments on
+     * the way.
+     */
     @Test
     void thereIsNothingToWarnOf() throws IOException, InterruptedException {
+        assumeTrue(LongForm.IS_ON, "the long form, which the CI runs");
         assertThat(complaints(JdkTool.javaFiles(JdkTool.SOURCES))).isEmpty();
         assertThat(directory.resolve("api/org/dronewatch/scene/Scene.html")).exists();
-    }
-
-    @Test
-    void aBrokenReferenceIsFound() throws IOException, InterruptedException {
-        Path source = directory.resolve("Odd.java");
-        Files.writeString(source, "/** As {@link Nobody}. */\npublic class Odd {}\n");
-        assertThat(complaints(List.of(source))).singleElement().asString().contains("reference not found");
     }
 
     @Test

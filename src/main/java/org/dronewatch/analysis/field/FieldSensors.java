@@ -171,7 +171,7 @@ final class FieldSensors {
         return Optional.ofNullable(probes.get(sensor)).flatMap(FieldProbe::excess);
     }
 
-    /** As {@link DetectionField#steps}. */
+    /** As {@link DetectionField#step}. */
     int step(int sensor, int height, int column, int row, int course) {
         return layers.get(sensor).step(height, column, row, inLayers[course]);
     }
