@@ -16,7 +16,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param rule rule that determines when the sensors' looks raise an alert
  * @param confirm number of detections required of a sensor before it counts
  * @param protect the zone that must not be reached; omit it if there is none
- * @param zones areas that must not be reached either, by name; the first that a drone enters counts
+ * @param zones further areas that must not be reached, by name; the first that a drone enters counts
  * @param response time required between the alert and the drone's arrival, 0 to 86400 s; 0 if none is required
  */
 public record AlertSettings(
