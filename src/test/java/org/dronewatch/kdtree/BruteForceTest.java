@@ -47,7 +47,7 @@ class BruteForceTest {
     }
 
     private static void compare(String name, TriangleMesh mesh, int most, long seed) {
-        int count = LongForm.count(most / 4, most);
+        int count = LongForm.count(most / 8, most);
         KDTree tree = KDTree.of(mesh);
         BruteForce bruteForce = new BruteForce(mesh);
         double[][] rays = new Rays(mesh, seed).any(count);

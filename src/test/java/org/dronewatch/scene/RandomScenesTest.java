@@ -31,7 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Whatever is accepted runs to its end: every number has limits, and within them nothing breaks. */
 class RandomScenesTest {
-    private static final int SCENES = Integer.getInteger("dronewatch.scenes", LongForm.count(120, 600));
+    private static final int SCENES = Integer.getInteger("dronewatch.scenes", LongForm.count(80, 600));
     private static final long SEED = Long.getLong("dronewatch.seed", 20_240_517L);
     /** Of so many scenes one runs again from its saved file. */
     private static final int SAVED_RUNS = 60;

@@ -22,7 +22,7 @@ class AttitudeTest {
     /** Among the first attitudes of this seed is one in which rounding puts points of a sheet on its other side. */
     private static final long LEAKING = 5;
 
-    private static final int ATTITUDES = LongForm.count(25, 100);
+    private static final int ATTITUDES = LongForm.count(16, 100);
     private static final Position SOURCE = new Position(2, 3, 1.5);
     private static final Position SENSOR = new Position(7, 5, 1.7);
     private static final TriangleMesh ROOM = Sites.room(10, 8, 4);
@@ -93,7 +93,7 @@ class AttitudeTest {
         EnergyReading level = Sites.read(model, Sites.world(site, surface), Sites.broadband(source), sensor, 1);
         assertThat(level.standardError()).isBetween(1e-3, 0.5);
         SplittableRandom random = new SplittableRandom(seed);
-        for (int i = 0; i < LongForm.count(6, 20); i++) {
+        for (int i = 0; i < LongForm.count(4, 20); i++) {
             UnaryOperator<Position> by = Sites.attitude(random);
             EnergyReading turned = Sites.read(
                     model,
