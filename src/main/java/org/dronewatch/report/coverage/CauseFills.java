@@ -7,8 +7,8 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * How causes look on a map. The colours are from the palette of Okabe and Ito ("Color Universal Design", 2008), which
- * people with any kind of colour vision can tell apart; patterns tell them apart in black and white. What is covered
- * is the lightest.
+ * people with any kind of colour vision can tell apart; patterns tell them apart in black and white. Only what is
+ * detected has no pattern: by its lightness, a shaded slope could be anything.
  */
 public final class CauseFills {
     private static final Color LIGHT_BLUE = new Color(0x9fd3f2);
@@ -73,7 +73,7 @@ public final class CauseFills {
     static MapSheet.Fill of(Cause cause) {
         return switch (cause) {
             case UNKNOWN -> (u, v, ground) -> ColourMix.of(ground, (u + v) / 5 % 2 == 0 ? GREY : Color.WHITE, 0.75);
-            case OUT_OF_RANGE -> (u, v, ground) -> ColourMix.of(ground, GREY, STRENGTH);
+            case OUT_OF_RANGE -> lined(GREY, CauseFills::isPlus);
             case OUT_OF_VIEW -> lined(PURPLE, (u, v) -> u % PERIOD == 0);
             case SILENT -> lined(PURPLE, (u, v) -> u % PERIOD == 0 || v % PERIOD == 0);
             case TOO_SLOW -> lined(ORANGE, (u, v) -> v % PERIOD == 0);
@@ -85,6 +85,13 @@ public final class CauseFills {
             case TOO_WEAK -> lined(YELLOW, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
             case DETECTED -> (u, v, ground) -> ColourMix.of(ground, LIGHT_BLUE, STRENGTH);
         };
+    }
+
+    /** Whether a pixel belongs to one of the plus signs in every other row and column of the patterns. */
+    private static boolean isPlus(int u, int v) {
+        int across = Math.abs(2 * Math.floorMod(u, 2 * PERIOD) - 2 * PERIOD + 1);
+        int down = Math.abs(2 * Math.floorMod(v, 2 * PERIOD) - 2 * PERIOD + 1);
+        return Math.min(across, down) == 1 && Math.max(across, down) < PERIOD;
     }
 
     private static boolean isCross(int u, int v) {
