@@ -19,15 +19,18 @@ import org.dronewatch.setting.input.FileHash;
  * not taken, since its results may differ in the last bit.
  */
 final class CodeStamp {
-    private static final String TEXT = FileHash.ofText(System.getProperty("java.vm.name")
-            + System.getProperty("java.vm.version")
-            + System.getProperty("os.arch")
-            + code());
+    /** The stamp is made by the thread that first asks for it: to ask for it in the background must not make it here. */
+    private static final class Made {
+        static final String TEXT = FileHash.ofText(System.getProperty("java.vm.name")
+                + System.getProperty("java.vm.version")
+                + System.getProperty("os.arch")
+                + code());
+    }
 
     private CodeStamp() {}
 
     static String text() {
-        return TEXT;
+        return Made.TEXT;
     }
 
     /** Makes it in the background: listing thousands of classes takes as long as reading a model. */
