@@ -45,7 +45,8 @@ public enum Directivity {
     private static final double HALFWAY = 0.5;
     private static final int STEPS = 2000;
 
-    private final double[] mean = meanGains();
+    /** The means of the gains; null until they are needed, since they take as long as reading a site. */
+    private volatile double[] mean;
 
     /**
      * Gain as published, dB, relative to a level that is not the mean over all directions.
@@ -63,7 +64,16 @@ public enum Directivity {
      * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below
      */
     public double index(int band, double elevation) {
-        return publishedGain(band, elevation) - mean[band];
+        return publishedGain(band, elevation) - mean()[band];
+    }
+
+    private double[] mean() {
+        double[] known = mean;
+        if (known == null) {
+            known = meanGains();
+            mean = known;
+        }
+        return known;
     }
 
     private static double shelf(int band) {
