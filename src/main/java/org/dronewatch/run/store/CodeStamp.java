@@ -19,7 +19,7 @@ import org.dronewatch.setting.input.FileHash;
  * not taken, since its results may differ in the last bit.
  */
 final class CodeStamp {
-    /** The stamp is made by the thread that first asks for it: to ask for it in the background must not make it here. */
+    /** Made by the thread that first needs it, not by the one that asks for it in the background. */
     private static final class Made {
         static final String TEXT = FileHash.ofText(System.getProperty("java.vm.name")
                 + System.getProperty("java.vm.version")
