@@ -19,13 +19,8 @@ final class RouteDirections {
      * @param routes one or more, in the order of their sectors
      */
     static String from(List<SectorRoute> routes) {
-        return fromSectors(routes.stream().map(SectorRoute::sector).toList());
-    }
-
-    /** The same by the numbers of the sectors, one or more, in ascending order. */
-    static String fromSectors(List<Integer> sectors) {
         List<Integer> others = IntStream.range(0, SiteRoutes.SECTORS)
-                .filter(sector -> !sectors.contains(sector))
+                .filter(sector -> routes.stream().noneMatch(route -> route.sector() == sector))
                 .boxed()
                 .toList();
         return switch (others.size()) {
@@ -33,8 +28,7 @@ final class RouteDirections {
             case 1 -> ALL + " but the " + RouteWords.sector(others.get(0));
             default ->
                 "from the "
-                        + PlainText.list(
-                                sectors.stream().map(RouteWords::sector).toList());
+                        + PlainText.list(routes.stream().map(RouteWords::sector).toList());
         };
     }
 

@@ -74,20 +74,20 @@ final class RouteNotes {
                         + PlainText.value(sensor) + (isSearching(sensor) ? "' in the same direction." : "'."));
     }
 
-    /** From where no route leads; empty if one leads from everywhere, or if not all sectors were searched. */
+    /** From where there is no route; empty if there is one from everywhere, or if not all sectors were searched. */
     private Optional<String> missing(RouteSurvey survey) {
-        List<Integer> sectors = IntStream.range(0, SiteRoutes.SECTORS)
-                .filter(sector -> survey.routes().stream().noneMatch(route -> route.sector() == sector))
-                .boxed()
+        List<String> sectors = IntStream.range(0, SiteRoutes.SECTORS)
+                .filter(sector -> RouteWords.route(sector, survey).isEmpty())
+                .mapToObj(RouteWords::sector)
                 .toList();
         // Not all sectors need to have a part of a launch area.
         boolean isMeant = survey.isComplete() && inputs.launch().isEmpty();
         return sectors.isEmpty() || !isMeant
                 ? Optional.empty()
-                : Optional.of("No route leads " + RouteDirections.fromSectors(sectors)
-                        + ": either the drone can begin nowhere there, or no way between the cells is within its limits on"
-                        + " climb, descent, turns and endurance; to look for one, try a larger --side, a smaller --cell or"
-                        + " other --heights.");
+                : Optional.of("There is no route from the " + PlainText.list(sectors)
+                        + ": either there is nowhere for the drone to start, or no path between the cells keeps within its"
+                        + " limits on climb, descent, turns and endurance; a larger --side, a smaller --cell or other"
+                        + " --heights may help.");
     }
 
     /** On which routes the drone has nothing left of its endurance at the end; empty if there are none. */

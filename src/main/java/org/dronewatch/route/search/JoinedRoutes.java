@@ -38,13 +38,13 @@ public final class JoinedRoutes {
     public static List<WeakestRoute> of(
             WeakestRoutes search, List<WeakestRoute> routes, List<BitSet> starts, Predicate<WeakestRoute> isAllowed) {
         JoinedRoutes joined = new JoinedRoutes(search, routes);
-        joined.goRound(starts, isAllowed);
+        joined.takeDetours(starts, isAllowed);
         joined.joinNearby(isAllowed);
         return List.copyOf(joined.routes);
     }
 
-    /** Lets each route lead round to any of them, however far that is, if it is then less exposed. */
-    private void goRound(List<BitSet> starts, Predicate<WeakestRoute> isAllowed) {
+    /** Replaces each route by a detour to any of them, however far away, where that is less exposed. */
+    private void takeDetours(List<BitSet> starts, Predicate<WeakestRoute> isAllowed) {
         List<RoutePath> counted =
                 routes.stream().map(route -> search.counted(route.path())).toList();
         RouteDetours detours = new RouteDetours(search.priced(), counted);

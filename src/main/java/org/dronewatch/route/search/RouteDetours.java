@@ -9,18 +9,17 @@ import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.Position;
 
 /**
- * The least exposed ways over the nodes, from anywhere, to routes that are known already and lead on from there. What
+ * The least exposed paths over the nodes, from anywhere, to routes that are known already and are then followed. What
  * a leg over the nodes is exposed to is not quite what a smoothed route is exposed to, and smoothing only improves a
- * route bit by bit: therefore the weakest route may begin with a long way round to a route from another side, and be
+ * route bit by bit: therefore the weakest route may begin with a long detour to a route from another side, and be
  * found in no other way. Immutable and thread-safe.
  */
 final class RouteDetours {
-    private final RouteProblem problem;
     private final Map<Integer, Entry> entries = new TreeMap<>();
     private final RouteTree tree;
 
     /**
-     * Where a way leads on along a known route.
+     * Where a path joins a known route.
      *
      * @param route which of them
      * @param exposure from there on
@@ -28,7 +27,7 @@ final class RouteDetours {
     private record Entry(int route, double exposure) {}
 
     /**
-     * A way to a known route.
+     * A path to a known route.
      *
      * @param way over the nodes, to a node near a corner of the route
      * @param route which of the known routes
@@ -42,17 +41,16 @@ final class RouteDetours {
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     RouteDetours(RouteProblem problem, List<RoutePath> known) {
-        this.problem = problem;
         for (int route = 0; route < known.size(); route++) {
-            enter(route, known.get(route));
+            enter(problem, route, known.get(route));
         }
         Map<Integer, Double> onwards = new TreeMap<>();
         entries.forEach((state, entry) -> onwards.put(state, entry.exposure()));
         this.tree = RouteSearch.toStates(problem, onwards);
     }
 
-    /** Lets ways lead to the nodes nearest to the corners of a route, whatever the drone's heading is there. */
-    private void enter(int route, RoutePath path) {
+    /** Lets paths lead to the nodes nearest to the corners of a route, whatever the drone's heading is there. */
+    private void enter(RouteProblem problem, int route, RoutePath path) {
         RouteExposure exposure = new RouteExposure(problem);
         int size = problem.grid().size();
         double rest = 0.0;
@@ -69,7 +67,7 @@ final class RouteDetours {
         }
     }
 
-    /** The least exposed way from some nodes to a known route; empty if there is none, or if one begins there. */
+    /** The least exposed path from some nodes to a known route; empty if there is none, or if one begins there. */
     Optional<Detour> from(BitSet starts) {
         return tree.weakest(starts, 1).stream()
                 .map(tree::states)
