@@ -33,8 +33,7 @@ final class LookProbability {
     private static final long MOST_SEGMENTS = 2_000_000;
 
     /**
-     * A probability is accurate enough once the variance that it would have with independent directions is a quarter of
-     * that of the fraction of a thousand looks.
+     * A probability is accurate enough once its variance is a quarter of that of the fraction of a thousand looks.
      */
     private static final double VARIANCE = 0.25 / 1000;
 
@@ -74,7 +73,7 @@ final class LookProbability {
      * A probability.
      *
      * @param value 0 to 1
-     * @param error its standard error, at most: that of as many rays in independent directions
+     * @param error its standard error, at most: the scatter between blocks of rays, which are less evenly spread than all rays
      */
     record Estimate(double value, double error) {}
 

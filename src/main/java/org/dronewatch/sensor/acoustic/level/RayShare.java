@@ -1,13 +1,23 @@
 package org.dronewatch.sensor.acoustic.level;
 
+import java.util.Arrays;
+
 /**
  * Single rays that were traced, and how many of them were heard: what that says about a number of such rays in a look.
  * Not thread-safe.
  */
 final class RayShare {
+    /** In how many blocks of successive rays those that are heard are counted. */
+    private static final int BLOCKS = 16;
+
     private final int number;
+    private final int[] heardInBlock = new int[BLOCKS];
+    private int blockSize = 1;
     private int traced;
     private int heard;
+
+    /** The variance of the number heard, as a fraction of that in independent directions. */
+    private double evenness = 1.0;
 
     /**
      * No ray has been traced yet.
@@ -19,8 +29,37 @@ final class RayShare {
     }
 
     void add(boolean isHeard) {
+        int one = isHeard ? 1 : 0;
+        heardInBlock[traced / blockSize] += one;
+        heard += one;
         traced++;
-        heard += isHeard ? 1 : 0;
+        if (traced == BLOCKS * blockSize) {
+            measureEvenness();
+            mergeBlocks();
+        }
+    }
+
+    /**
+     * Blocks of successive directions are spread evenly, too, but less evenly than all of them together: the variance
+     * between them is an upper estimate.
+     */
+    private void measureEvenness() {
+        double mean = (double) heard / BLOCKS;
+        double squares = 0.0;
+        for (int inBlock : heardInBlock) {
+            squares += (inBlock - mean) * (inBlock - mean);
+        }
+        double between = squares * BLOCKS / (BLOCKS - 1);
+        evenness = Math.min(1.0, between / (traced * likely() * (1.0 - likely())));
+    }
+
+    /** Pairs of them become one block each, so that the next ones are twice as long. */
+    private void mergeBlocks() {
+        for (int i = 0; i < BLOCKS / 2; i++) {
+            heardInBlock[i] = heardInBlock[2 * i] + heardInBlock[2 * i + 1];
+        }
+        Arrays.fill(heardInBlock, BLOCKS / 2, BLOCKS, 0);
+        blockSize *= 2;
     }
 
     int number() {
@@ -37,14 +76,22 @@ final class RayShare {
     }
 
     /**
-     * The variance of the logarithm of that probability, if the directions of rays were independent; with a uniform
-     * prior, so that it is never 0 if there are any.
+     * The variance of the logarithm of that probability, at most. How much more evenly than independent ones the
+     * directions are spread is measured each time twice as many rays have been traced. It is never 0 if there are any
+     * rays: the number heard is not taken to be more accurate than one ray.
      */
     double variance() {
         if (number == 0 || traced == 0) {
             return 0.0;
         }
-        double likely = (heard + 1.0) / (traced + 2.0);
-        return (double) number * number * likely / (traced * (1.0 - likely));
+        double likely = likely();
+        double heardVariance = Math.max(1.0, evenness * traced * likely * (1.0 - likely));
+        double missed = traced * (1.0 - likely);
+        return (double) number * number * heardVariance / (missed * missed);
+    }
+
+    /** The probability that a ray is heard, with a uniform prior. */
+    private double likely() {
+        return (heard + 1.0) / (traced + 2.0);
     }
 }
