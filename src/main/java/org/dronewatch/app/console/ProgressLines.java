@@ -66,9 +66,16 @@ final class ProgressLines {
             err.printf(Locale.ROOT, "%s: %d after %s%n", task, done, duration(seconds));
         } else if (seconds >= next && done > 0 && done < steps) {
             next = seconds + every;
-            String left = duration(seconds * (steps - done) / done);
-            err.printf(Locale.ROOT, "%s: %d %%, %s left%n", task, PERCENT * done / steps, left);
+            err.printf(Locale.ROOT, "%s: %s%n", task, part(done, seconds));
         }
+    }
+
+    /** The first steps take longest, since all is prepared then: the time left is not estimated from these alone. */
+    private String part(long done, double seconds) {
+        long percent = PERCENT * done / steps;
+        return percent == 0
+                ? "less than 1 % after " + duration(seconds)
+                : percent + " %, " + duration(seconds * (steps - done) / done) + " left";
     }
 
     /** The task is complete. */

@@ -44,4 +44,17 @@ class ProgressLinesTest {
 
         assertThat(said.toString().lines()).containsExactly("field: 15 %, 3 min left");
     }
+
+    /** Fifteen steps in five seconds, most of which went into preparations, say nothing about a hundred thousand. */
+    @Test
+    void noTimeIsEstimatedFromTheFirstSteps() {
+        StringWriter said = new StringWriter();
+        ProgressLines lines = new ProgressLines("field", 100_000, new PrintWriter(said, true), () -> now);
+        now += 5 * SECOND;
+        lines.reached(15);
+        now += 5 * SECOND;
+        lines.reached(1_000);
+
+        assertThat(said.toString().lines()).containsExactly("field: less than 1 % after 5 s", "field: 1 %, 17 min left");
+    }
 }
