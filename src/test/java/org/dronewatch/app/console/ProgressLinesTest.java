@@ -55,6 +55,7 @@ class ProgressLinesTest {
         now += 5 * SECOND;
         lines.reached(1_000);
 
-        assertThat(said.toString().lines()).containsExactly("field: less than 1 % after 5 s", "field: 1 %, 17 min left");
+        assertThat(said.toString().lines())
+                .containsExactly("field: less than 1 % after 5 s", "field: 1 %, 17 min left");
     }
 }

@@ -73,7 +73,8 @@ final class LookProbability {
      * A probability.
      *
      * @param value 0 to 1
-     * @param error its standard error, at most: the scatter between blocks of rays, which are less evenly spread than all rays
+     * @param error its standard error, at most: the scatter between blocks of rays, which are less evenly spread than
+     *     all rays
      */
     record Estimate(double value, double error) {}
 
