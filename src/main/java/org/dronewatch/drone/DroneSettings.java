@@ -47,14 +47,13 @@ import org.dronewatch.world.World;
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
  * @param glideReduction reduction of its level with the motors off, when only airflow is heard, 0 to 100 dB
- * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; if {@code spectrum} is set, a
- *     name of your choice for it that is not in the table; {@code soundPowerLevel} and {@code directivity} are set
- *     separately
+ * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; if {@code spectrum} is set,
+ *     any name that is not in the table; {@code soundPowerLevel} and {@code directivity} are set separately
  * @param spectrum a spectrum to use instead of one from the table: A-weighted levels of the octave bands relative to
  *     one another, as in the table; {@code soundPowerLevel} sets the loudness
  * @param directivity dependence of the radiated sound on elevation, for the energy model
- * @param tones the tones in its spectrum, for {@code criterion: narrow-band} of the energy model; omit it if there are
- *     none
+ * @param tones the tones in its spectrum, which the narrow-band criterion of the energy model needs; omit it if there
+ *     are none
  * @param emission how its sound follows from these settings and its flight: steady, or a kind from another jar
  * @param performance limits of its flight, as far as they are known; if it is omitted, limits typical of its airframe
  *     apply, and flights are not checked against them

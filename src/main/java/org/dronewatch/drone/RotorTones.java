@@ -12,15 +12,15 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.Tone;
 
 /**
- * The tones of a drone: the blade-passing frequency of its rotors and its harmonics. They are part of the drone's sound
- * power, not additional to it; the rest of each octave band is broadband noise.
+ * The tones of a drone: the blade-passing frequency of its rotors and the harmonics of that frequency. They are part of
+ * the drone's sound power, not additional to it; the rest of each octave band is broadband noise.
  *
  * @param rotorSpeed rate of rotation of a rotor, above 0 and at most 1000 Hz; also in {@code rpm}, as in
  *     {@code 6150 rpm}
  * @param blades number of blades of a rotor, 1 to 12; two on most quadrotors
- * @param shares for each line, from the blade-passing frequency on, its fraction of the power of its octave band, 0 to
- *     1; up to 50 lines, and those within one octave band add up to at most 1. Lines outside the eight octave bands are
- *     not heard
+ * @param shares for each tone, starting with the blade-passing frequency, its fraction of the power of its octave band,
+ *     0 to 1; up to 50 tones, and those within one octave band add up to at most 1. Tones outside the eight octave
+ *     bands are not heard
  */
 public record RotorTones(
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rotorSpeed,

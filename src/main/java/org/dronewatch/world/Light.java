@@ -14,9 +14,9 @@ import org.dronewatch.setting.SettingsForm;
  * cameras, too.
  *
  * @param visibility visibility, above 0 and at most 1000 km, m
- * @param contrastAtVisibility fraction of a black object's contrast that remains at the distance {@code visibility},
- *     0.01 to 0.1: 0.05 for the meteorological optical range that weather stations report, 0.02 for Koschmieder's
- *     visual range
+ * @param contrastAtVisibility fraction of a black object's contrast that remains at a distance equal to
+ *     {@code visibility}, 0.01 to 0.1: 0.05 for the meteorological optical range that weather stations report, 0.02
+ *     for Koschmieder's visual range
  * @param illuminance illuminance of the ground, 1e-5 to 200,000 lx: about 50,000 in sunshine, 5,000 under cloud, 5 at
  *     dusk, 0.2 under a full moon, 0.001 in starlight
  * @param sun position of the sun; omit it if the sun does not shine

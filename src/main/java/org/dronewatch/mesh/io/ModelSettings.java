@@ -30,8 +30,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param position position of the model's origin, m; with a {@code crs}, a correction of the model's position
  * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which states the
  *     direction of north
- * @param role its role on the site, by which reports name the obstacles that hide drones; heights in the wind's profile
- *     are measured from models of terrain, if there are any; without effect on a drone's model
+ * @param role its role on the site, by which reports classify the obstacles that hide drones; heights in the wind
+ *     profile are measured from models whose role is terrain, if there are any; it has no effect on a drone's model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,

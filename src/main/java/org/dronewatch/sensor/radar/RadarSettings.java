@@ -33,11 +33,11 @@ import org.dronewatch.world.World;
  * A radar on a fixed mount. Without a {@code beam}, it has the same gain throughout its field of view.
  *
  * @param position position of its antenna, m
- * @param aim the centre of its field of view; the elevation is its tilt
+ * @param aim direction of the centre of its field of view; the elevation is the tilt of its mount
  * @param maxTilt greatest tilt of its mount, up or down, which limits the elevation of the aim, 0 to 90 degrees, rad
  * @param azimuthWidth horizontal width of its field of view, 0.01 to 360 degrees, rad
  * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
- * @param minRange minimum range: nearer drones are masked by its own pulse, 0 to 1000 km, m
+ * @param minRange minimum range: nearer drones are masked by the radar's own pulse, 0 to 1000 km, m
  * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
  * @param minSpeed minimum radial speed: slower drones are rejected as ground clutter, 0 to 10,000 m/s; not used with a
  *     notch
@@ -54,8 +54,8 @@ import org.dronewatch.world.World;
  * @param beam shape of its beam; without one, the gain is the same throughout its field of view
  * @param diffraction whether the wave is diffracted around edges of terrain and buildings, in both directions, as for a
  *     radio receiver; otherwise the echo is scaled by the visible fraction of the drone
- * @param clutter echoes of the ground and of rain that compete with those of drones; none by default. It needs a beam,
- *     whose azimuthBeamwidth is the width of a resolution cell
+ * @param clutter echoes from the ground and from rain that compete with those of drones; none by default. It needs a
+ *     beam, whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a Doppler filter that rejects stationary echoes, in place of minSpeed; none by default
  * @param falseAlarms how often noise passes its threshold; unless set, the rate is unknown, and no false alarms are
  *     simulated

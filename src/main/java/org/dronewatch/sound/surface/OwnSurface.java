@@ -27,7 +27,7 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  *     or one number
  * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number;
  *     omit it for an opaque wall
- * @param wall whether one surface is the whole wall, or the wall has a front and a back
+ * @param wall whether the wall is a single surface (sheet) or has a front and a back (solid)
  * @param speed speed of sound inside a wall with a front and a back, for refraction in the level model, above 0 and at
  *     most 20,000 m/s; omit it if unknown
  * @param flowResistivity with {@code ground: coherent}, the effective flow resistivity of this surface as ground, above
