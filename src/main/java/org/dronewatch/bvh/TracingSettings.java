@@ -6,7 +6,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The construction of the trees of models, and their traversal by rays. These settings affect speed, not results.
+ * How the trees of the models' triangles are built, and how rays traverse them. These settings affect speed, not
+ * results.
  *
  * @param traversal method of traversal: {@code fastest}, or one ray at a time, even for images and sound ({@code stack}
  *     or {@code sequential})

@@ -54,7 +54,8 @@ import org.dronewatch.world.World;
  * @param directivity dependence of the radiated sound on elevation, for the energy model
  * @param tones the tones in its spectrum, which the narrow-band criterion of the energy model needs; omit it if there
  *     are none
- * @param emission how its sound follows from these settings and its flight: steady, or a kind from another jar
+ * @param emission how its sound depends on these settings and on its flight: steady, or a kind that another jar
+ *     provides
  * @param performance limits of its flight, as far as they are known; if it is omitted, limits typical of its airframe
  *     apply, and flights are not checked against them
  * @param swarm number and formation of a swarm of such drones; omit it for a single drone

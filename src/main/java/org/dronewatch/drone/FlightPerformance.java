@@ -20,7 +20,8 @@ import org.dronewatch.setting.SettingsForm;
  *     angle of 45 degrees (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
  * @param leastSpeed least speed under power of a drone that cannot hover, above 0 and at most 400 m/s; typically two
- *     thirds of the cruise speed. It counts only in the search for routes, and only up to the cruise speed
+ *     thirds of the cruise speed. It is used only in the search for routes, where the cruise speed applies if it is
+ *     lower
  * @param ceiling greatest height above the surface below it, above 0 and at most 20,000 m; typically 500 m
  * @param endurance longest flight under power, above 0 and at most 604,800 s; typically 30 minutes for multirotors, an
  *     hour for fixed-wing drones and hybrids

@@ -26,12 +26,13 @@ import org.dronewatch.setting.SettingsForm;
  * @param minTilt lowest elevation, -pi/2 to pi/2, rad
  * @param maxTilt highest elevation; not below the lowest, -pi/2 to pi/2, rad
  * @param delay time from another sensor's detection until the positioner begins to slew, 0 to 60 s
- * @param hold how long it waits for a drone that is no longer seen, 0 to 3600 s
- * @param lockPixels pixels on a drone with which its own camera tracks it even if its own rule asks for more, 1 or
- *     more; a camera that takes light and weather into account must at least detect it
+ * @param hold how long it waits for a drone that its camera no longer sees, 0 to 3600 s
+ * @param lockPixels number of pixels on a drone at and above which the positioner's own camera tracks it, even if the
+ *     camera's detection function requires more, 1 or more; a camera that takes light and weather into account must at
+ *     least detect it
  * @param search pattern of its search until it is cued
  * @param zoom how its lens zooms; omit it for a fixed lens
- * @param rangeSearch search along the line of sight of a cueing sensor elsewhere that measures direction but no range
+ * @param rangeSearch search along the direction measured by a cueing sensor at another position that measures no range
  */
 public record PositionerSettings(
         List<String> cues,

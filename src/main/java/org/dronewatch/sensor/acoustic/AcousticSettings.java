@@ -42,7 +42,8 @@ import org.dronewatch.world.World;
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
  * @param array the microphones of an array; its gain replaces {@code arrayGain}, and in the energy model it measures
  *     directions, by which other sensors can be cued
- * @param propagation model of sound propagation: {@code level-model}, {@code energy-model}, or a kind from another jar
+ * @param propagation model of sound propagation: {@code level-model}, {@code energy-model}, or a kind that another jar
+ *     provides
  * @param drawRays whether the report and the viewer show its rays; the report shows those at the first detection, or
  *     those at the start if there is none
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false

@@ -12,8 +12,8 @@ import org.dronewatch.setting.Quantity;
  * {@code (left + right) / 2 / (right - left)} and {@code (bottom + top) / 2 / (top - bottom)}, and a vertical field of
  * view of {@code 2 atan((top - bottom) / 2 / near)}.
  *
- * @param shiftRight shift of the image to the right, so that it shows more of that side, as a fraction of its width, -5
- *     to 5; the field of view is that of the image without a shift
+ * @param shiftRight shift of the image to the right, so that the image shows more of that side, as a fraction of its
+ *     width, -5 to 5; the field of view is that of the image without a shift
  * @param shiftUp shift upwards, as a fraction of its height, -5 to 5
  * @param near near plane: nothing closer than this along the axis is seen, 0 to less than far, m
  * @param far far plane: nothing farther than this along the axis is seen; the default of 1000 km means no limit, m

@@ -18,7 +18,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param azimuthBeamwidth half-power beamwidth in azimuth, 0.01 to 360 degrees, rad
  * @param elevationBeamwidth half-power beamwidth in elevation, 0.01 to 180 degrees, rad
  * @param sideLobes level of the side lobes below that of the main lobe, 0 to 100 dB one way
- * @param steering angles in which the beam is steered to its target; otherwise it stays on the axis of the radar
+ * @param steering angles in which the beam is steered towards its target; in the others it stays on the axis of the
+ *     radar
  * @param scanLoss exponent of the scan loss one way, 0 to 5; 0 for an antenna that is rotated mechanically
  */
 public record BeamPattern(

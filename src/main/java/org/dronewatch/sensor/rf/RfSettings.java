@@ -45,8 +45,8 @@ import org.dronewatch.world.World;
  * @param threshold signal-to-noise ratio at and above which a signal is detected, -50 to 100 dB
  * @param polarisation polarisation of the signals; it only affects reflection from the ground
  * @param groundReflection ground whose reflection interferes with the direct wave; none unless set
- * @param clutterIncludesEdges whether {@code clutter} includes the loss by diffraction around the site's models: if so,
- *     the greater of the two losses counts, otherwise their sum
+ * @param clutterIncludesEdges whether {@code clutter} includes the loss by diffraction at the edges of the site's
+ *     models: if so, the greater of the two losses counts, otherwise their sum
  * @param environment surroundings, which determine the man-made noise; omit it for thermal noise alone
  * @param occupied bands in which others transmit intermittently, by name; they must not overlap
  * @param recognised types of emission that it can recognise as a drone's
