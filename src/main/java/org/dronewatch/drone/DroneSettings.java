@@ -43,7 +43,7 @@ import org.dronewatch.world.World;
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received
  * @param soundLevel source level for the simple attenuation model (the level model), reduced only by air and surfaces,
- *     dB; 50 to 55 in the thesis that the project grew from
+ *     dB; 50 to 55 in the thesis on which this project is based
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
  * @param glideReduction reduction of its level with the motors off, when only airflow is heard, 0 to 100 dB

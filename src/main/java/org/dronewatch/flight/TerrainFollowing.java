@@ -13,10 +13,10 @@ import org.dronewatch.world.GroundPoint;
 
 /**
  * A flight from point to point low over the highest surface below, whether ground, roof or tree, at cruise speed along
- * the path from the start; the drone stays at the end. It never climbs or descends more steeply than allowed: it begins
- * to climb well before a wall and descends gradually behind it. The surface is sampled every half metre along the path:
- * objects thinner than that may be missed, and above a ridge between two samples the clearance may fall short by a few
- * millimetres. Where there is no surface below, the nearest known height along the path is used.
+ * the path from the beginning; the drone stays at the end. It never climbs or descends more steeply than allowed: it
+ * begins to climb well before a wall and descends gradually behind it. The surface is sampled every half metre along
+ * the path: objects thinner than that may be missed, and above a ridge between two samples the clearance may fall short
+ * by a few millimetres. Where there is no surface below, the nearest known height along the path is used.
  *
  * @param points the path in plan view, as pairs of east and north coordinates: at least two, neighbours 1 mm or more
  *     apart, at most 50 km in total, m

@@ -66,11 +66,11 @@ public sealed interface SearchPattern {
     }
 
     /**
-     * A scan of a sector back and forth, or of a raster row by row from the lowest row up and back down. It begins at
-     * the left.
+     * A scan of a sector back and forth or, with several rows, of a raster row by row from the lowest row up and back
+     * down. It begins at the left.
      *
-     * @param width width of the field, centred on the aim, 0.1 degrees to 2 pi, rad
-     * @param height height of the field, centred on the aim, 0 to pi/2 rad
+     * @param width width of the sector, centred on the aim, 0.1 degrees to 2 pi, rad
+     * @param height height of the sector, centred on the aim, 0 to pi/2 rad
      * @param rows number of rows, 1 to 100; a single row lies at mid-height
      * @param speed pan rate, above 0 and at most 600 degrees per second, rad/s
      */

@@ -12,9 +12,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.input.BoundedFile;
 
 /**
- * A flight recorded in a GPX track or a CSV log, and flown in a straight line and at constant speed from each point to
- * the next: the drone passes each point at its recorded time, and the time of the first point is the start of the run.
- * The drone stays at the last point. Without times, it flies through the points as with {@code waypoints}.
+ * A flight recorded in a GPX track or a CSV log, flown in a straight line at constant speed from each point to the
+ * next: the drone passes each point at its recorded time, and the time of the first point is the start of the run. The
+ * drone stays at the last point. Without times, it flies through the points as with {@code waypoints}.
  *
  * @param log path of the {@code .gpx} or {@code .csv} file
  * @param heights level from which the heights in the file are measured

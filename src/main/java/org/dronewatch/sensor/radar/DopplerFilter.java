@@ -28,8 +28,8 @@ public sealed interface DopplerFilter {
     Explanation miss(double radialSpeed, double needed);
 
     /**
-     * A high-pass filter with the Butterworth response {@code 1 / (1 + (w / v)^(2 n))}, for a radar with so long a
-     * dwell, or so varied a pulse repetition frequency, that it has no blind speeds. Source: A. V. Oppenheim, R. W.
+     * A high-pass filter with the Butterworth power response {@code 1 / (1 + (w / v)^(2 n))}, for a radar with so long
+     * a dwell, or so varied a pulse repetition frequency, that it has no blind speeds. Source: A. V. Oppenheim, R. W.
      * Schafer, Discrete-Time Signal Processing, appendix B.
      *
      * @param halfPowerSpeed the radial speed w at which half of the power passes, above 0 and at most 1000 m/s
@@ -69,8 +69,8 @@ public sealed interface DopplerFilter {
     }
 
     /**
-     * An N-pulse canceller with binomial weights and the response {@code |sin(pi v / b)|^(2 (N - 1))}, which is also
-     * blind at every multiple of the speed b. Source: M. A. Richards, Fundamentals of Radar Signal Processing, section
+     * An N-pulse canceller with binomial weights and the power response {@code |sin(pi v / b)|^(2 (N - 1))}, which is
+     * also blind at every multiple of the speed b. Source: M. A. Richards, Fundamentals of Radar Signal Processing, section
      * 5.2.
      *
      * @param pulses the number of pulses N, 2 to 10

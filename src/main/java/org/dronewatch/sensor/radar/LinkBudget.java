@@ -163,8 +163,8 @@ public sealed interface LinkBudget {
      * @param probability probability of detection, 0.1 to 0.99
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation fluctuation of that target
-     * @param gain gain of its antenna, -20 to 80 dBi; with integrationTime, it only serves to check that the radar has
-     *     time for its scan, since the range already includes it
+     * @param gain gain of its antenna, -20 to 80 dBi; with {@code integrationTime}, it serves only to check that the
+     *     radar has time for its scan, since the stated range already accounts for it
      * @param integrationTime coherent integration time, 1e-9 to 10 s, for the same check: that of a pulse, or of a
      *     coherent burst that counts as one
      */

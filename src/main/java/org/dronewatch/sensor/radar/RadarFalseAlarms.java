@@ -9,9 +9,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * False alarms of a radar due to noise: their number per scan is the number of resolution cells times the probability
- * in one cell (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent between cells and between
- * scans.
+ * False alarms of a radar due to noise: their mean number per scan is the number of resolution cells times the
+ * probability in one cell (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent between cells and
+ * between scans.
  *
  * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it to use the
  *     probability stated for {@code detection: chance} or in a data sheet

@@ -29,14 +29,15 @@ import org.dronewatch.world.World;
  * @param roulette fraction of a ray's initial energy below which Russian roulette decides whether the ray survives,
  *     above 0 and below 1
  * @param maxOrder maximum number of surfaces that a ray may hit before it is dropped, 0 to 10,000
- * @param imageSourceOrder order up to which paths of specular reflections alone are computed exactly, 1 to 50: all
- *     paths with one reflection, and those with several if rays from the microphone or from the drone find the surfaces
+ * @param imageSourceOrder order up to which purely specular paths are computed exactly, 1 to 50: all paths with one
+ *     reflection, and those with several if rays from the microphone or from the drone find the surfaces
  * @param diffraction method for diffraction around edges
  * @param criterion level that is compared with the background
  * @param ground whether direct and ground-reflected sound interfere
- * @param turbulence with {@code ground: coherent}, the variance of the air's refractive index, 0 to 0.001: 0 without
- *     turbulence, about 1e-8 in calm air, 1e-4 in very turbulent air
- * @param turbulenceScale with {@code ground: coherent}, the correlation length of the turbulence, 0.01 to 1000 m
+ * @param turbulence if {@code ground} is {@code coherent}, the variance of the air's refractive index, 0 to 0.001: 0
+ *     without turbulence, about 1e-8 in calm air, 1e-4 in very turbulent air
+ * @param turbulenceScale if {@code ground} is {@code coherent}, the correlation length of the turbulence, 0.01 to 1000
+ *     m
  * @param pressure conversion of intensity to sound pressure
  */
 public record EnergyModel(

@@ -21,7 +21,7 @@ import org.dronewatch.world.World;
  *
  * @param initialRays number of rays that leave the drone in random directions, in addition to one straight to the
  *     sensor; 1 to 100,000
- * @param reflectionsPerHit number of rays from each surface that is hit, 1 to 10,000
+ * @param reflectionsPerHit number of rays that leave a surface for each ray that hits it, 1 to 10,000
  * @param attenuation loss of level in the air, 0 to 1000 dB/m
  * @param maxOrder maximum number of surfaces that a ray may hit before it ends, 0 to 100
  * @param rayBudget maximum number of ray segments of one look, 1 to 50,000,000
@@ -29,7 +29,7 @@ import org.dronewatch.world.World;
  *     rays, and reports the highest level and the cumulative energy
  * @param diffraction fraction of the reflected and of the transmitted energy that is scattered (which the thesis
  *     calls diffraction), 0 to 1; the specular and refracted rays carry the rest; if omitted, all rays carry equal
- *     energy. It affects the cumulative energy, not the levels, which are not divided
+ *     energy. It affects the cumulative energy, not the levels, which are not divided among the rays
  * @param transmittedRays number of rays from the far side of a wall that transmits sound, 1 to 10,000: one refracted,
  *     the others scattered
  */
