@@ -47,8 +47,8 @@ final class SettingsReference {
                                 + " date.\n\n"
                                 + "A number is in the unit given in the table or carries a unit (`18 km/h`, `40 deg`, `70 %`); an angle"
                                 + " without a unit is\nin radians, although ranges and defaults are given in degrees here. A setting"
-                                + " without a default is required. Where a\nsetting has several kinds, `kind` selects one; it may be"
-                                + " omitted where the other fields determine it.\n\n"
+                                + " without a default is required,\nexcept that a scene requires only `world`. Where a setting has"
+                                + " several kinds, `kind` selects one; it may be\nomitted where the other fields determine it.\n\n"
                                 + "Former names of settings still work, with a warning; `save` writes the current ones.\n");
         waiting.add(SceneSettings.class);
         while (!waiting.isEmpty()) {
