@@ -70,8 +70,8 @@ public sealed interface DopplerFilter {
 
     /**
      * An N-pulse canceller with binomial weights and the power response {@code |sin(pi v / b)|^(2 (N - 1))}, which is
-     * also blind at every multiple of the speed b. Source: M. A. Richards, Fundamentals of Radar Signal Processing, section
-     * 5.2.
+     * also blind at every multiple of the speed b. Source: M. A. Richards, Fundamentals of Radar Signal Processing,
+     * section 5.2.
      *
      * @param pulses the number of pulses N, 2 to 10
      * @param blindSpeed the first blind speed b, half the wavelength times the pulse repetition frequency, above 0 and
