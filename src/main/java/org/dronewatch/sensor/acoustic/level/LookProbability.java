@@ -33,9 +33,11 @@ final class LookProbability {
     private static final long MOST_SEGMENTS = 2_000_000;
 
     /**
-     * A probability is accurate enough once its variance is a quarter of that of the fraction of a thousand looks.
+     * A probability is accurate enough once its variance is 0.15 times that of the fraction of a thousand looks. With
+     * 0.25, 1.5 % of cells were outside the 99 % interval of a thousand looks, with this 1.4 %, and with rays up to the
+     * limit 1.15 %.
      */
-    private static final double VARIANCE = 0.25 / 1000;
+    private static final double VARIANCE = 0.15 / 1000;
 
     /** Probabilities need not be more accurate than this one. */
     private static final double LEAST = 0.004;

@@ -59,6 +59,31 @@ class LookProbabilityTest {
         assertThat(undecided).as("seed %d", seed).isEqualTo(wanted);
     }
 
+    /** Estimates with other random numbers scatter by no more than their errors, although these decide when rays end. */
+    @Test
+    void estimatesScatterByNoMoreThanTheirErrors() {
+        World room = DecisiveRaysTest.room();
+        LevelModel model =
+                LevelModel.DEFAULT.withRays(3, 4).withAttenuation(0.2).withLimits(2, 200_000);
+        Position drone = new Position(1.0, 4.0, -3.0);
+        double level = 0.2 + model.attenuation() * drone.distance(DecisiveRaysTest.SENSOR) + 1.0;
+        LookProbability probability = new LookProbability(model, DecisiveRaysTest.SENSOR, RADIUS, 0.0, room);
+        int trials = LongForm.count(40, 400);
+        double sum = 0.0;
+        double squares = 0.0;
+        double stated = 0.0;
+        for (int seed = 0; seed < trials; seed++) {
+            LookProbability.Estimate estimate = probability.of(drone, level, new SplittableRandom(seed));
+            sum += estimate.value();
+            squares += estimate.value() * estimate.value();
+            stated += estimate.error() * estimate.error();
+        }
+        double mean = sum / trials;
+        double scatter = Math.sqrt((squares - trials * mean * mean) / (trials - 1));
+        assertThat(mean).isBetween(0.05, 0.95);
+        assertThat(scatter / Math.sqrt(stated / trials)).isBetween(0.2, 1.1);
+    }
+
     /** Of a square, the part that 4,096 pairs find differs from its area by a few pairs, not by a few dozen. */
     @Test
     void evenPairsFindAnAreaMoreAccuratelyThanIndependentOnes() {
