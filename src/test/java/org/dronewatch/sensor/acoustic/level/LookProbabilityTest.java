@@ -59,7 +59,7 @@ class LookProbabilityTest {
         assertThat(undecided).as("seed %d", seed).isEqualTo(wanted);
     }
 
-    /** Estimates with other random numbers scatter by no more than their errors, although these decide when rays end. */
+    /** Estimates with other random numbers scatter by no more than their errors, which also decide when rays end. */
     @Test
     void estimatesScatterByNoMoreThanTheirErrors() {
         World room = DecisiveRaysTest.room();
