@@ -20,6 +20,7 @@ import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Sensor;
 import org.dronewatch.sensor.SensorSettings;
@@ -166,7 +167,7 @@ final class Prober {
         if (sensor instanceof BoundingSensor) {
             // The assessor has already traced the site for its bounds.
             return eye.assessor
-                            .assessCoarsely(there, look.pointing(), random, EVEN_CHANCE)
+                            .assessCoarsely(there, look.pointing(), random, ProbabilityResolution.sideOf(EVEN_CHANCE))
                             .probability()
                     >= EVEN_CHANCE;
         }

@@ -57,17 +57,20 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
-     * As {@link #assess}, but at less cost where possible, for a field that stores probabilities in steps. For a drone
-     * that is detected, the quantity may be lower, and a probability between {@code high} and 1 may be replaced by any
-     * other in that interval. For one that is missed, the quantity of an estimate may be lower; the cause and the
-     * obstacle are the same. Probabilities of 1 and those below {@code high} are also the same, unless they are
-     * estimates: estimates may draw other random numbers, but are just as accurate. The same as {@code assess} unless
-     * overridden.
+     * As {@link #assess}, but at less cost where possible, for a field that stores probabilities in steps. A
+     * probability may be replaced by another one that counts as equal; those of 0 and 1 are also the same. Estimates may draw other
+     * random numbers; they are just as accurate, unless only their side matters. For a drone that is detected, the
+     * quantity may be lower, and so may that of an estimate for one that is missed; the cause and the obstacle are the
+     * same, unless an estimate decides. The same as {@code assess} unless overridden.
      *
-     * @param high probabilities from this one up to 1, exclusive, count as equal
+     * @param resolution the probabilities that count as equal
      */
     default Assessment assessCoarsely(
-            World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
+            World world,
+            Drone drone,
+            Optional<Pointing> pointing,
+            RandomGenerator rayRandom,
+            ProbabilityResolution resolution) {
         return assess(world, drone, pointing, rayRandom);
     }
 

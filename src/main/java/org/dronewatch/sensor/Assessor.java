@@ -72,11 +72,12 @@ public final class Assessor {
      * As {@link AssessableSensor#assessCoarsely} in this assessor's world; {@link Cause#UNKNOWN} as in
      * {@link #assess(Drone, Optional, RandomGenerator)}.
      */
-    public Assessment assessCoarsely(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
+    public Assessment assessCoarsely(
+            Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, ProbabilityResolution resolution) {
         if (!(sensor instanceof AssessableSensor assessable)) {
             return assess(drone, pointing, rayRandom);
         }
-        Assessment known = assessable.assessCoarsely(world, drone, pointing, rayRandom, high);
+        Assessment known = assessable.assessCoarsely(world, drone, pointing, rayRandom, resolution);
         return isKnown(drone) ? known : new Assessment(known.signal(), Explanation.of(Cause.UNKNOWN));
     }
 

@@ -3,6 +3,7 @@ package org.dronewatch.analysis.cell;
 import java.util.Optional;
 import org.dronewatch.analysis.layer.LookWindow;
 import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
@@ -31,7 +32,10 @@ public record FieldTerms(
     /** A single look of sensors that have turned to the drone. */
     public static final FieldTerms ONE_LOOK = new FieldTerms(Turning.CUED, Optional.empty());
 
-    /** A tolerance with which the number of looks in 0.3 s at 10 Hz is three, whatever the product is rounded to. */
+    /**
+     * A tolerance for the rounding of numbers: with it, the number of looks in 0.3 s at 10 Hz is three, whatever the
+     * product is rounded to.
+     */
     private static final double ROUNDING = 1e-9;
 
     /** Checks the limits. */
@@ -83,9 +87,30 @@ public record FieldTerms(
         return Math.max(Double.MIN_VALUE, detected);
     }
 
-    /** The probability of a look at and above which all probabilities below 1 count as equal. */
-    public double high(SensorSettings<?> sensor) {
+    /** The probabilities of a look that a field tells apart. */
+    public ProbabilityResolution resolution(SensorSettings<?> sensor) {
         boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
-        return isAnyAlike ? ProbabilityStep.probability(ProbabilityStep.CERTAIN - 1) : 1.0;
+        return ProbabilityResolution.upTo(isAnyAlike ? ProbabilityStep.probability(ProbabilityStep.CERTAIN - 1) : 1.0);
+    }
+
+    /**
+     * The same if it only matters whether the probability on these terms reaches a step.
+     *
+     * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
+     */
+    public ProbabilityResolution sideOf(int step, SensorSettings<?> sensor) {
+        double least = ProbabilityStep.least(step);
+        if (least == 0.0 || step == ProbabilityStep.CERTAIN) {
+            return resolution(sensor);
+        }
+        // Exactly between two steps, rounding decides.
+        double reached = least + ROUNDING;
+        if (within.isEmpty()) {
+            return ProbabilityResolution.sideOf(reached);
+        }
+        long number = looks(sensor);
+        return number == 0 || sensor.chance() != Chance.PER_LOOK
+                ? resolution(sensor)
+                : ProbabilityResolution.sideOf(1.0 - StrictMath.pow(1.0 - reached, 1.0 / number));
     }
 }

@@ -91,7 +91,7 @@ public final class DetectableHeights {
             boolean isWide = upper[cell] - lower[cell] > ACCURACY;
             middle[cell] = isWide ? 0.5 * (lower[cell] + upper[cell]) : Double.NaN;
         }
-        FieldCoverage there = coverage.of(coverage.field().at(middle, name, progress));
+        FieldCoverage there = coverage.at(middle, name, progress);
         for (int cell = 0; cell < middle.length; cell++) {
             if (there.isCovered(0, grid.column(cell), grid.row(cell))) {
                 upper[cell] = middle[cell];

@@ -107,14 +107,15 @@ public final class DetectionField {
     }
 
     /**
-     * The field of the same sensors with one cell in each column, at its own height.
+     * Whether the same sensors cover one cell in each column, at its own height. Nothing else is certain of the field.
      *
      * @param above heights above the ground by row and column, m; NaN for no cell
+     * @param needed the step that the probability of a sensor has to reach
      * @param name what is kept of it is found again under this name
      */
-    DetectionField at(double[] above, String name, IntConsumer progress) {
+    DetectionField decidingAt(double[] above, int needed, String name, IntConsumer progress) {
         FieldColumns other = FieldColumns.at(all.probe(0).world(), grid, above);
-        FieldSensors there = all.in(other, store, grid.toString(), name, progress);
+        FieldSensors there = all.deciding(needed).in(other, store, grid.toString(), name, progress);
         return new DetectionField(grid.lowest(1), other, there, store);
     }
 

@@ -2,6 +2,7 @@ package org.dronewatch.analysis.field;
 
 import java.util.Collection;
 import java.util.OptionalInt;
+import java.util.function.IntConsumer;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
 import org.dronewatch.analysis.cell.ProbabilityStep;
@@ -139,8 +140,19 @@ public final class FieldCoverage {
         return (height * field.grid().columns() + row) * field.grid().columns() + column;
     }
 
+    /**
+     * One cell in each column, at its own height. Of this coverage, only what is covered and what is unknown is
+     * certain.
+     *
+     * @param above heights above the ground by row and column, m; NaN for no cell
+     * @param name what is kept of it is found again under this name
+     */
+    FieldCoverage at(double[] above, String name, IntConsumer progress) {
+        return of(field.decidingAt(above, needed, name, progress));
+    }
+
     /** Another field, evaluated in the same way. */
-    FieldCoverage of(DetectionField other) {
+    private FieldCoverage of(DetectionField other) {
         return new FieldCoverage(other, choice, covered);
     }
 

@@ -79,6 +79,13 @@ final class FieldSensors {
         return moved;
     }
 
+    /** The same sensors if nothing matters but whether they reach a step: assessments to come are of that alone. */
+    FieldSensors deciding(int needed) {
+        Map<String, FieldProbe> others = new LinkedHashMap<>();
+        probes.forEach((id, probe) -> others.put(id, probe.deciding(needed)));
+        return new FieldSensors(courses, inLayers, others, layers);
+    }
+
     /** One of the sensors, given by its number, on the same courses. */
     FieldSensors only(int sensor) {
         return new FieldSensors(

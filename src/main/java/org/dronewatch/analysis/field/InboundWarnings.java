@@ -173,7 +173,8 @@ public record InboundWarnings(
                             settings.run().seed(),
                             List.of(Course.inbound(flights.target())),
                             terms)
-                    .with(excess.apply(sensor.getKey()));
+                    .with(excess.apply(sensor.getKey()))
+                    .deciding(needed);
             SensorLayer layer = SensorLayer.empty(paths);
             for (int height = 0; height < paths.levels(); height++) {
                 store.assess(layer, probe, paths, flights.toString(), height, "inbound " + height, progress);

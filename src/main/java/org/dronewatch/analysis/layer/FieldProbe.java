@@ -2,6 +2,7 @@ package org.dronewatch.analysis.layer;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import java.util.stream.DoubleStream;
@@ -19,9 +20,11 @@ import org.dronewatch.sensor.Assessor;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Mounted;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.Signal;
+import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.world.World;
 
 /**
@@ -39,6 +42,8 @@ import org.dronewatch.world.World;
  * @param excess what is interpolated between cells; empty where each is assessed
  * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts,
  *     which is much faster, and never gives too strong a signal
+ * @param needed the step that the probability has to reach, if nothing else matters: where the sensor answers the same
+ *     on all courses, only whether it reaches it is then certain
  */
 public record FieldProbe(
         World world,
@@ -51,7 +56,8 @@ public record FieldProbe(
         Optional<SearchPeriod> search,
         Assessor assessor,
         Optional<ExcessMap> excess,
-        boolean isExactAlone) {
+        boolean isExactAlone,
+        OptionalInt needed) {
     private static final double EVEN_CHANCE = 0.5;
 
     /** A probe that assesses each cell, of a sensor that searches if the terms say so. */
@@ -74,24 +80,51 @@ public record FieldProbe(
                 terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings, terms) : Optional.empty(),
                 new Assessor(sensor, settings, world),
                 Optional.empty(),
-                false);
+                false,
+                OptionalInt.empty());
     }
 
     /** This probe with what is interpolated between cells. */
     public FieldProbe with(Optional<ExcessMap> map) {
-        return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, map, false);
+        return new FieldProbe(
+                world, drone, sensor, settings, seed, courses, terms, search, assessor, map, false, needed);
     }
 
     /** This probe with the same number of other courses. */
     public FieldProbe on(List<Course> others) {
         return new FieldProbe(
-                world, drone, sensor, settings, seed, others, terms, search, assessor, excess, isExactAlone);
+                world, drone, sensor, settings, seed, others, terms, search, assessor, excess, isExactAlone, needed);
+    }
+
+    /**
+     * This probe if nothing matters but whether the probability reaches a step. It changes only sensors that trace
+     * sound: others take little longer for the whole answer, which can be kept for all steps.
+     *
+     * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
+     */
+    public FieldProbe deciding(int step) {
+        if (settings.as(SoundTracing.class).isEmpty()) {
+            return this;
+        }
+        return new FieldProbe(
+                world,
+                drone,
+                sensor,
+                settings,
+                seed,
+                courses,
+                terms,
+                search,
+                assessor,
+                excess,
+                isExactAlone,
+                OptionalInt.of(step));
     }
 
     /** This probe, for a signal that could be interpolated, with only what arrives along exact paths. */
     public FieldProbe onExactPaths() {
         return new FieldProbe(
-                world, drone, sensor, settings, seed, courses, terms, search, assessor, Optional.empty(), true);
+                world, drone, sensor, settings, seed, courses, terms, search, assessor, Optional.empty(), true, needed);
     }
 
     /** An assessor for one thread. */
@@ -154,7 +187,15 @@ public record FieldProbe(
 
     /** The same without interpolation. */
     Assessment assessCoarsely(Assessor assessor, Drone there, Optional<Pointing> pointing) {
-        return assessor.assessCoarsely(there, pointing, rays(), terms.high(settings));
+        return assessor.assessCoarsely(there, pointing, rays(), resolution(assessor, there, pointing));
+    }
+
+    /** If the answer were different on each course, the one that counts would depend on more than a side. */
+    private ProbabilityResolution resolution(Assessor assessor, Drone there, Optional<Pointing> pointing) {
+        boolean isSideOnly = needed.isPresent()
+                && search.isEmpty()
+                && (courses.size() == 1 || assessor.isSameAtAllHeadings(there, pointing));
+        return isSideOnly ? terms.sideOf(needed.getAsInt(), settings) : terms.resolution(settings);
     }
 
     /**

@@ -173,6 +173,7 @@ public final class LayerStore {
                 probe.seed(),
                 probe.courses(),
                 probe.terms(),
+                probe.needed(),
                 plan,
                 name));
         return StoreKey.of(kind, List.of(), parts.toArray());

@@ -18,6 +18,7 @@ import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.InterpolableSensor;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.Reading;
@@ -107,8 +108,12 @@ public final class AcousticSensor implements RaySensor, CurveSensor, Interpolabl
 
     @Override
     public Assessment assessCoarsely(
-            World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom, double high) {
-        Signal signal = tracer(world).coarseSignal(drone, rayRandom);
+            World world,
+            Drone drone,
+            Optional<Pointing> pointing,
+            RandomGenerator rayRandom,
+            ProbabilityResolution resolution) {
+        Signal signal = tracer(world).coarseSignal(drone, rayRandom, resolution);
         return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainMiss(world, drone, pointing));
     }
 

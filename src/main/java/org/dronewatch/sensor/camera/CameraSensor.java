@@ -24,6 +24,7 @@ import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -113,10 +114,14 @@ public final class CameraSensor implements BoundingSensor {
     /** A drone near the camera covers many thousands of pixels, of which a few suffice for a decision. */
     @Override
     public Assessment assessCoarsely(
-            World site, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom, double high) {
+            World site,
+            Drone drone,
+            Optional<Pointing> where,
+            RandomGenerator rayRandom,
+            ProbabilityResolution resolution) {
         turn(site, where);
         double most = signal(view(drone, picture.mostPixels(world, drone))).probability();
-        double sufficient = most < 1.0 ? high : 1.0;
+        double sufficient = most < 1.0 ? resolution.high() : 1.0;
         return assess(drone, enough(drone, signal -> signal.probability() >= sufficient && signal.isDetected()));
     }
 

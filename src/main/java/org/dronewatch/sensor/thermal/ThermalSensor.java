@@ -23,6 +23,7 @@ import org.dronewatch.sensor.GroundTruth;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.optics.CameraObject;
@@ -108,10 +109,14 @@ public final class ThermalSensor implements BoundingSensor {
     /** A few rays suffice to show that a large drone is detected. */
     @Override
     public Assessment assessCoarsely(
-            World world, Drone drone, Optional<Pointing> where, RandomGenerator rayRandom, double high) {
+            World world,
+            Drone drone,
+            Optional<Pointing> where,
+            RandomGenerator rayRandom,
+            ProbabilityResolution resolution) {
         turn(world, where);
         double most = bounds.most(drone).probability();
-        double sufficient = most < 1.0 ? high : 1.0;
+        double sufficient = most < 1.0 ? resolution.high() : 1.0;
         DoublePredicate enough = found -> {
             Signal signal = signal(drone, found);
             return signal.probability() >= sufficient && signal.isDetected();

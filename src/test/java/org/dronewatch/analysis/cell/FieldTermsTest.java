@@ -13,6 +13,7 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Chance;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.radar.RadarSettings;
 import org.junit.jupiter.api.BeforeAll;
@@ -48,6 +49,38 @@ class FieldTermsTest {
 
     private static FieldTerms terms(double seconds) {
         return FieldTerms.ONE_LOOK.withWithin(seconds);
+    }
+
+    /** Just above the boundary, the probability on these terms is rounded to the step, and just below it, it is not. */
+    @Test
+    void theSideOfAStepIsThatOfTheBoundaryOfALook() {
+        for (FieldTerms terms : List.of(FieldTerms.ONE_LOOK, terms(0.5), terms(3.0), terms(600))) {
+            for (double covered : new double[] {0.008, 0.1, 0.5, 0.9, 0.996}) {
+                int step = ProbabilityStep.toCover(covered);
+                ProbabilityResolution side = terms.sideOf(step, radar);
+                assertThat(side.isSideOnly()).isTrue();
+                double above = terms.probability(side.high(), radar);
+                double below = terms.probability(side.high() * (1.0 - 1e-5), radar);
+                assertThat(ProbabilityStep.of(above))
+                        .as("%s, %s", terms, covered)
+                        .isEqualTo(step);
+                assertThat(ProbabilityStep.of(below))
+                        .as("%s, %s", terms, covered)
+                        .isEqualTo(step - 1);
+            }
+        }
+    }
+
+    /** Without looks, with an observer, and where only certainty is enough, all probabilities matter. */
+    @Test
+    void whereNoBoundaryOfALookIsKnownAllProbabilitiesMatter() {
+        int half = ProbabilityStep.toCover(0.5);
+        assertThat(terms(0.3).sideOf(half, radar)).isEqualTo(terms(0.3).resolution(radar));
+        assertThat(terms(3.0).sideOf(half, observed)).isEqualTo(ProbabilityResolution.upTo(1.0));
+        assertThat(FieldTerms.ONE_LOOK.sideOf(ProbabilityStep.CERTAIN, radar))
+                .isEqualTo(FieldTerms.ONE_LOOK.resolution(radar));
+        assertThatIllegalArgumentException().isThrownBy(() -> ProbabilityResolution.sideOf(0.0));
+        assertThatIllegalArgumentException().isThrownBy(() -> ProbabilityResolution.upTo(1.01));
     }
 
     /** One minus the chance that each of the looks misses, multiplied look by look. */

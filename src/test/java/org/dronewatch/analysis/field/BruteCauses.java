@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.RadioLink;
+import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -41,6 +42,9 @@ import org.dronewatch.world.World;
 final class BruteCauses {
     /** Fewer visible points than this share of all leave open whether a sensor sees anything of a drone. */
     private static final double FEW = 0.1;
+
+    /** A radar sees a drone by points that are at most half-way from the middle of its box to the corners. */
+    private static final double INNER = 0.5;
 
     private static final double EVEN_CHANCE = 0.5;
 
@@ -202,13 +206,12 @@ final class BruteCauses {
             // What is visible between the rays of the pixels is not seen.
             return pixels(camera, drone) == 0.0 ? hidden(before) : EnumSet.of(Cause.TOO_WEAK);
         }
-        return partly(sight, drone, seen, before);
+        return partly(sight, points(drone, sensor instanceof RadarSettings ? INNER : 1.0), seen, before);
     }
 
     /** A drone that would be missed in the open is hidden if nothing of it is visible, and otherwise too weak. */
     private static Set<Cause> partly(
-            BruteTriangles.Sight sight, Drone drone, Optional<Observation> seen, Set<ModelRole> before) {
-        List<Position> points = points(drone);
+            BruteTriangles.Sight sight, List<Position> points, Optional<Observation> seen, Set<ModelRole> before) {
         int visible = sight.visible(points);
         if (visible > FEW * points.size()) {
             return EnumSet.of(Cause.TOO_WEAK);
@@ -287,8 +290,8 @@ final class BruteCauses {
         return roles;
     }
 
-    /** The middles of a drone's triangles. */
-    private static List<Position> points(Drone drone) {
+    /** The middles of those of a drone's triangles that are in its box, scaled about its middle. */
+    private static List<Position> points(Drone drone, double scale) {
         TriangleMesh mesh = drone.tree().mesh();
         List<Position> points = new ArrayList<>();
         int step = Math.max(1, mesh.triangleCount() / 200);
@@ -297,9 +300,22 @@ final class BruteCauses {
             for (int k = 0; k < 9; k++) {
                 middle[k % 3] += mesh.coordinate(i, k / 3, k % 3) / 3.0;
             }
-            points.add(drone.toWorld(new Position(middle[0], middle[1], middle[2])));
+            Position point = new Position(middle[0], middle[1], middle[2]);
+            if (isInside(drone.modelBounds(), scale, point)) {
+                points.add(drone.toWorld(point));
+            }
         }
         return points;
+    }
+
+    private static boolean isInside(AABB box, double scale, Position point) {
+        return isBetween(box.minX(), box.maxX(), scale, point.x())
+                && isBetween(box.minY(), box.maxY(), scale, point.y())
+                && isBetween(box.minZ(), box.maxZ(), scale, point.z());
+    }
+
+    private static boolean isBetween(double low, double high, double scale, double at) {
+        return Math.abs(at - 0.5 * (low + high)) <= 0.5 * scale * (high - low);
     }
 
     private static Set<Cause> hidden(Set<ModelRole> roles) {

@@ -6,9 +6,16 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.SplittableRandom;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.drone.Drone;
+import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Assessor;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -20,8 +27,12 @@ class DetectableHeightsTest {
     private Path directory;
 
     private DetectableHeights heights(String sensors, int threads) throws IOException {
+        return heights(sensors, GRID, threads);
+    }
+
+    private DetectableHeights heights(String sensors, FieldGrid grid, int threads) throws IOException {
         FieldSite site = FieldSite.in(directory, sensors);
-        DetectionField field = site.field(GRID, threads);
+        DetectionField field = site.field(grid, threads);
         try (Workers workers = new Workers(threads)) {
             return workers.call(
                     () -> DetectableHeights.of(new FieldCoverage(field, FieldCoverage.Choice.WORST, 0.5), cells -> {}));
@@ -62,6 +73,53 @@ class DetectableHeightsTest {
         assertThat(found.count(60.0)).isEqualTo(GRID.cells() - none);
         assertThat(found.columns()).isEqualTo(GRID.cells());
         assertThat(found.coveredAgain()).isZero();
+    }
+
+    /** A microphone behind boxes: where the search for heights ends, its probability passes the one asked for. */
+    @Test
+    void ofAMicrophoneItIsTheHeightAtWhichItsProbabilityIsReached() throws IOException {
+        String ear =
+                """
+              ear: {kind: acoustic, position: [0, 0, 4],
+                propagation: {kind: level-model, initialRays: 3, reflectionsPerHit: 4, maxOrder: 2, attenuation: 0.01}}
+            """;
+        FieldSite site = FieldSite.in(directory, ear);
+        FieldGrid grid = new FieldGrid(0.7, 110.3, 80, 10, List.of(2.0, 26.0, 60.0));
+        DetectableHeights found = heights(ear, grid, 2);
+        Assessor assessor = new Assessor(
+                "ear", site.settings().enabledSensors().get("ear"), site.stage().world());
+        Drone drone = DetectionField.droneOf(site.stage(), FieldSite.DRONE);
+        int searched = 0;
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            double height = found.height(cell % grid.columns(), cell / grid.columns());
+            double x = grid.x(cell % grid.columns());
+            double y = grid.y(cell / grid.columns());
+            if (FieldSite.BOXES.values().stream().anyMatch(box -> box.contains(x, y)) || Double.isNaN(height)) {
+                continue;
+            }
+            String as = "at %s, %s: %s m".formatted(x, y, height);
+            // The error of two estimates, and the rounding to a step.
+            assertThat(probability(assessor, drone, new Position(x, y, height)))
+                    .as(as)
+                    .isGreaterThan(0.45);
+            if (height > 2.0) {
+                double lower = Math.max(0.0, height - DetectableHeights.ACCURACY);
+                assertThat(probability(assessor, drone, new Position(x, y, lower)))
+                        .as(as)
+                        .isLessThan(0.55);
+                searched++;
+            }
+        }
+        assertThat(searched).isGreaterThan(10);
+    }
+
+    private static double probability(Assessor assessor, Drone drone, Position at) {
+        return assessor.assessCoarsely(
+                        drone.at(new FlightState(at, new Position(0, 0, 0), 0.0, OptionalDouble.empty())),
+                        Optional.empty(),
+                        new SplittableRandom(5),
+                        ProbabilityResolution.upTo(0.998))
+                .probability();
     }
 
     /** Two beams, one above the other. */

@@ -165,6 +165,25 @@ class LayerStoreTest {
         assertThat(changed.get()).isLessThanOrEqualTo(3 * DetectableHeights.rounds(GRID));
     }
 
+    /** While heights are searched, a microphone only finds out whether it reaches one probability: no other one. */
+    @Test
+    void whatIsKeptForOneProbabilityIsNotTakenForAnother() throws IOException {
+        FieldSite ears = FieldSite.in(
+                Files.createDirectory(scene.resolve("ears")),
+                """
+                  ear: {kind: acoustic, position: [0, 0, 4],
+                    propagation: {kind: level-model, initialRays: 3, reflectionsPerHit: 4, maxOrder: 2, attenuation: 0.01}}
+                """);
+        FieldGrid near = new FieldGrid(0.7, 110.3, 80, 10, List.of(2.0, 40.0));
+        String half = text(survey(ears, near, 0.5, LayerStore.NONE, 2));
+        String most = text(survey(ears, near, 0.9, LayerStore.NONE, 2));
+        assertThat(most).isNotEqualTo(half);
+        LayerStore store = store(ears, Map.of("plain.obj", List.of(new FileHash("plain.obj", "ab"))));
+        assertThat(text(survey(ears, near, 0.5, store, 2))).isEqualTo(half);
+        assertThat(text(survey(ears, near, 0.9, store, 2))).isEqualTo(most);
+        assertThat(text(survey(ears, near, 0.5, store, 1))).isEqualTo(half);
+    }
+
     /** Whatever the assessments depend on changes their names. */
     @Test
     void whatDependsOnSomethingElseIsAssessedAnew() throws IOException {

@@ -24,6 +24,7 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
@@ -108,7 +109,7 @@ class AcousticAssessmentTest {
             Look look = Look.of(50_000 + i, "sensor", 0, 10.0);
             RandomGenerator rays = look.random("drone", RaySensor.RAYS);
             fields[i] = isCoarse
-                    ? sensor.assessCoarsely(world, drone(100), Optional.empty(), rays, 0.99)
+                    ? sensor.assessCoarsely(world, drone(100), Optional.empty(), rays, ProbabilityResolution.upTo(0.99))
                     : sensor.assess(world, drone(100), Optional.empty(), rays);
             assertThat(fields[i].isEstimated()).isTrue();
             assertThat(fields[i].cause() == Cause.DETECTED).isEqualTo(fields[i].probability() >= 0.5);

@@ -14,6 +14,7 @@ import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Discrimination;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.world.World;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -50,7 +51,8 @@ class CoarseAssessmentTest {
             Drone drone = cube(new Position(
                     range * (random.nextDouble() - 0.5), range, (random.nextDouble() - 0.4) * Math.min(range, 10.0)));
             Assessment all = exact.assess(world, drone, Optional.empty(), new SplittableRandom(1));
-            Assessment one = coarse.assessCoarsely(world, drone, Optional.empty(), new SplittableRandom(1), HIGH);
+            Assessment one = coarse.assessCoarsely(
+                    world, drone, Optional.empty(), new SplittableRandom(1), ProbabilityResolution.upTo(HIGH));
 
             String as = "%s at %s, seed %d".formatted(detection, drone.origin(), seed);
             assertThat(one.explanation()).as(as).isEqualTo(all.explanation());

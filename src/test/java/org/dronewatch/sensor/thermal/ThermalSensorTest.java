@@ -25,6 +25,7 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Discrimination;
 import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.camera.CameraSettings;
 import org.dronewatch.sensor.optics.CameraObject;
 import org.dronewatch.sensor.optics.VisibleArea;
@@ -243,7 +244,8 @@ class ThermalSensorTest {
             Optional<AssessmentBounds> inState =
                     quick.bound(wall, plate, state, Optional.empty(), p -> (int) (250 * p));
             // The silhouette that was looked up serves this, too.
-            Assessment some = quick.assessCoarsely(wall, drone, Optional.empty(), random, 1.0);
+            Assessment some =
+                    quick.assessCoarsely(wall, drone, Optional.empty(), random, ProbabilityResolution.upTo(1.0));
             String as = "seed %d, %s".formatted(seed, at);
             assertThat(some.cause()).as(as).isEqualTo(all.cause());
             assertThat(some.probability()).as(as).isEqualTo(all.probability());

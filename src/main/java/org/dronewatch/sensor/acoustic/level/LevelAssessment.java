@@ -39,6 +39,8 @@ final class LevelAssessment {
      *     are like the first
      * @param refinement the probability where some of these looks detect the drone and some do not, unless the ray
      *     budget ended a ray of the first; empty if the fraction of the looks is enough
+     * @param isSideOnly whether the refinement is enough without these looks, unless the ray budget ended a ray of the
+     *     first: then the quantity is any that is on the same side of the threshold as the median
      */
     static Signal signal(
             double straightLevel,
@@ -46,13 +48,17 @@ final class LevelAssessment {
             RandomGenerator rays,
             Look look,
             Look others,
-            Optional<Refinement> refinement) {
+            Optional<Refinement> refinement,
+            boolean isSideOnly) {
         if (straightLevel < threshold) {
             return Signal.certain(straightLevel, UNIT, threshold);
         }
         LevelReading first = look.listen(rays);
         if (first.detected() && first.traced() == 1) {
             return Signal.certain(first.bestLevel(), UNIT, threshold);
+        }
+        if (isSideOnly && refinement.isPresent() && first.cutByBudget() == 0) {
+            return signal(refinement.get().estimate(rays), first.bestLevel(), threshold);
         }
         double[] levels = new double[TRACES];
         levels[0] = first.bestLevel();
@@ -73,6 +79,14 @@ final class LevelAssessment {
         int misses = TRACES - hits;
         int middle = estimate.value() >= EVEN_CHANCE ? Math.max(TRACES / 2, misses) : Math.min(TRACES / 2, misses - 1);
         return new Signal(estimate.value(), levels[middle], UNIT, threshold, 0.0, estimate.error());
+    }
+
+    /** A signal whose quantity is the level of a look if that is on the same side of the threshold. */
+    private static Signal signal(LookProbability.Estimate estimate, double level, double threshold) {
+        boolean isDetected = estimate.value() >= EVEN_CHANCE;
+        double quantity =
+                isDetected ? Math.max(level, threshold) : level < threshold ? level : Double.NEGATIVE_INFINITY;
+        return new Signal(estimate.value(), quantity, UNIT, threshold, 0.0, estimate.error());
     }
 
     /**

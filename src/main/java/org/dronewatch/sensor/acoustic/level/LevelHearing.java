@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.acoustic.propagation.Heard;
@@ -77,22 +78,27 @@ public final class LevelHearing implements SoundTracer {
     @Override
     public Signal signal(Drone drone, RandomGenerator random) {
         LevelAssessment.Look look = rays -> listen(drone, rays);
-        return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look, Optional.empty());
+        return LevelAssessment.signal(straightLevel(drone), threshold, random, look, look, Optional.empty(), false);
     }
 
     /**
      * {@inheritDoc} It does not trace rays that cannot lead to a ray that is loud enough; where some looks detect the
-     * drone and some do not, it traces more of the others, so that the probability is more accurate.
+     * drone and some do not, it traces more of the others, so that the probability is more accurate. If only
+     * the side of a probability matters, it traces no more rays after the first look than are needed to show it.
      */
     @Override
-    public Signal coarseSignal(Drone drone, RandomGenerator random) {
+    public Signal coarseSignal(Drone drone, RandomGenerator random, ProbabilityResolution resolution) {
+        LevelAssessment.Refinement refinement = rays -> resolution.isSideOnly()
+                ? probability.sideOf(resolution.high(), drone.origin(), drone.soundLevel(), rays)
+                : probability.of(drone.origin(), drone.soundLevel(), rays);
         return LevelAssessment.signal(
                 straightLevel(drone),
                 threshold,
                 random,
                 rays -> decide(drone, rays),
                 rays -> tracer.trace(drone.origin(), drone.soundLevel(), rays, TracedRays.DECISIVE, RayRecorder.NONE),
-                Optional.of(rays -> probability.of(drone.origin(), drone.soundLevel(), rays)));
+                Optional.of(refinement),
+                resolution.isSideOnly());
     }
 
     @Override

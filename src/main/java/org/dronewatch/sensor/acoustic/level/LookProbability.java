@@ -42,6 +42,15 @@ final class LookProbability {
     /** Probabilities need not be more accurate than this one. */
     private static final double LEAST = 0.004;
 
+    /** How much less accurate the first estimate is that may show on which side of a boundary a probability lies. */
+    private static final double FIRST_VARIANCE = 256.0;
+
+    /** How much more accurate each further one is. */
+    private static final double STEP = 1.0 / 16.0;
+
+    /** The distance from the boundary, in standard errors, at which the side is certain enough. */
+    private static final double SURE = 3.0;
+
     private final LevelModel model;
     private final Position sensor;
     private final double radius;
@@ -58,6 +67,14 @@ final class LookProbability {
 
     /** The sum of the variances of the logarithms of the factors. */
     private double variance;
+
+    /** The variance and the probability that are small enough. */
+    private double sufficient;
+
+    private double least;
+
+    /** The probability of which only the side matters; NaN for none. */
+    private double boundary;
 
     LookProbability(LevelModel model, Position sensor, double radius, double detectionLevel, World world) {
         this.model = model;
@@ -87,6 +104,37 @@ final class LookProbability {
      * @param sourceLevel its level, dB
      */
     Estimate of(Position source, double sourceLevel, RandomGenerator random) {
+        boundary = Double.NaN;
+        return estimate(source, sourceLevel, random, VARIANCE, LEAST);
+    }
+
+    /**
+     * Estimates the probability until it is clear whether it reaches a boundary, and at most as accurately as
+     * {@link #of}: the nearer to it, the more rays are traced.
+     *
+     * @param reached the boundary, above 0 and at most 1
+     */
+    Estimate sideOf(double reached, Position source, double sourceLevel, RandomGenerator random) {
+        boundary = reached;
+        double coarse = FIRST_VARIANCE;
+        double small = Math.max(LEAST, boundary / 2.0);
+        Estimate found = estimate(source, sourceLevel, random, coarse * VARIANCE, small);
+        while (coarse > 1.0 && !isClear(found.value(), found.error())) {
+            coarse *= STEP;
+            found = estimate(source, sourceLevel, random, coarse * VARIANCE, small);
+        }
+        return found;
+    }
+
+    /** Whether it is clear on which side of the boundary a probability lies. */
+    private boolean isClear(double value, double error) {
+        return Math.abs(value - boundary) > SURE * error;
+    }
+
+    private Estimate estimate(
+            Position source, double sourceLevel, RandomGenerator random, double enough, double small) {
+        sufficient = enough;
+        least = small;
         even = new EvenPairs(random);
         seed = random.nextLong();
         rays = 0;
@@ -115,12 +163,18 @@ final class LookProbability {
     /** The probability that all rays in random directions are missed. */
     private double ofEmitted(AcousticRay ray, double others) {
         RayShare share = new RayShare(model.initialRays());
-        while (isWorthwhile(share.traced(), EMITTED, others * share.missed(), share.variance())) {
+        while (isWorthwhile(share.traced(), EMITTED, others * share.missed(), share.variance())
+                && !(share.traced() >= FEWEST && isClear(others, share))) {
             Directions.draw(even, ray);
             share.add(isHeard(ray));
         }
         variance += share.variance();
         return share.missed();
+    }
+
+    private boolean isClear(double others, RayShare share) {
+        double missed = others * share.missed();
+        return isClear(1.0 - missed, missed * Math.sqrt(variance + share.variance()));
     }
 
     private boolean isHeard(AcousticRay ray) {
@@ -174,6 +228,6 @@ final class LookProbability {
      */
     private boolean isWorthwhile(int traced, int most, double missed, double variance) {
         boolean isLeft = traced < most && segments < MOST_SEGMENTS;
-        return traced < FEWEST || isLeft && missed * variance > VARIANCE * Math.max(LEAST, 1.0 - missed);
+        return traced < FEWEST || isLeft && missed * variance > sufficient * Math.max(least, 1.0 - missed);
     }
 }

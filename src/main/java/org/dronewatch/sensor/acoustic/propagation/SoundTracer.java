@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.sensor.Curve;
+import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
 
@@ -35,8 +36,10 @@ public interface SoundTracer {
      * As {@link #signal}, but at less cost where possible: where the probability is a fraction of several looks, the
      * looks after the first may draw other random numbers, and the quantity of a drone that is missed may be lower. The
      * same as {@link #signal} unless overridden.
+     *
+     * @param resolution the probabilities that count as equal
      */
-    default Signal coarseSignal(Drone drone, RandomGenerator random) {
+    default Signal coarseSignal(Drone drone, RandomGenerator random, ProbabilityResolution resolution) {
         return signal(drone, random);
     }
 

@@ -59,6 +59,48 @@ class LookProbabilityTest {
         assertThat(undecided).as("seed %d", seed).isEqualTo(wanted);
     }
 
+    /**
+     * Where the accurate estimate is far from a boundary, the other one is on the same side. If it is as near as six
+     * standard errors, less accurate estimates show the side: few of them, three standard errors away, are wrong.
+     */
+    @Test
+    void theSideIsThatOfTheAccurateEstimate() {
+        long seed = LongForm.seed(System.nanoTime());
+        System.out.println("LookProbabilityTest: seed " + seed);
+        SplittableRandom random = new SplittableRandom(seed);
+        World room = DecisiveRaysTest.room();
+        int uncertain = 0;
+        int wrong = 0;
+        int cases = LongForm.count(60, 4000);
+        for (int i = 0; i < cases; i++) {
+            LevelModel model = LevelModel.DEFAULT
+                    .withRays(1 + random.nextInt(20), 1 + random.nextInt(6))
+                    .withAttenuation(0.05 + 0.4 * random.nextDouble())
+                    .withLimits(1 + random.nextInt(2), 200_000);
+            Position drone = new Position(8 * random.nextDouble() - 4, 2.5 + 3 * random.nextDouble(), -3);
+            double level =
+                    0.2 + model.attenuation() * drone.distance(DecisiveRaysTest.SENSOR) + 2 * random.nextDouble();
+            LookProbability probability = new LookProbability(model, DecisiveRaysTest.SENSOR, RADIUS, 0.0, room);
+            LookProbability.Estimate accurate = probability.of(drone, level, random);
+            double away = (random.nextBoolean() ? 6.0 : -6.0) * accurate.error();
+            boolean isNear = i % 2 == 0;
+            double boundary = isNear ? accurate.value() + away : random.nextDouble();
+            boundary = Math.max(0.01, Math.min(0.99, boundary));
+            LookProbability.Estimate side = probability.sideOf(boundary, drone, level, random);
+            String as = "seed %d, case %d: %s, %s, boundary %s".formatted(seed, i, accurate, side, boundary);
+            uncertain += accurate.value() > 0.05 && accurate.value() < 0.95 ? 1 : 0;
+            boolean isSame = side.value() >= boundary == accurate.value() >= boundary;
+            double distance = Math.abs(accurate.value() - boundary);
+            if (isNear) {
+                wrong += distance > 5.0 * accurate.error() && !isSame ? 1 : 0;
+            } else if (distance > 0.2) {
+                assertThat(isSame).as(as).isTrue();
+            }
+        }
+        assertThat(uncertain).as("seed %d", seed).isGreaterThan(cases / 10);
+        assertThat(wrong).as("seed %d", seed).isLessThanOrEqualTo(1 + cases / 200);
+    }
+
     /** Estimates with other random numbers scatter by no more than their errors, which also decide when rays end. */
     @Test
     void estimatesScatterByNoMoreThanTheirErrors() {

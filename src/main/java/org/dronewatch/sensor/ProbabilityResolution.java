@@ -1,0 +1,28 @@
+package org.dronewatch.sensor;
+
+/**
+ * Which probabilities of detection whoever asks for an assessment tells apart. A sensor may save itself the work of
+ * telling others apart.
+ *
+ * @param high probabilities from this one up to 1, exclusive, count as equal, above 0 and at most 1
+ * @param isSideOnly whether those below it count as equal, too: only the side on which a probability lies matters, and
+ *     an estimate need only be accurate enough to show it
+ */
+public record ProbabilityResolution(double high, boolean isSideOnly) {
+    /** Checks the limits. */
+    public ProbabilityResolution {
+        if (!(high > 0.0 && high <= 1.0)) {
+            throw new IllegalArgumentException(high + ": must be above 0 and at most 1");
+        }
+    }
+
+    /** All probabilities below a high one, which count as equal from there on. */
+    public static ProbabilityResolution upTo(double high) {
+        return new ProbabilityResolution(high, false);
+    }
+
+    /** Only on which side of a boundary a probability lies; the boundary itself is on the upper side. */
+    public static ProbabilityResolution sideOf(double boundary) {
+        return new ProbabilityResolution(boundary, true);
+    }
+}
