@@ -1,5 +1,10 @@
 package org.dronewatch.bvh;
 
+import java.util.Arrays;
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
 /**
  * Segments with a common origin and nearly the same direction, which are traced together. Each is a lane of the
  * processor's vectors: its direction, scaled to length 1 along that axis along which all are longest, and its length
@@ -8,6 +13,8 @@ package org.dronewatch.bvh;
 final class FanBeam {
     /** Lanes of a vector. */
     static final int WIDTH = 8;
+
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
 
     /** How many segments are traced together, at most. */
     static final int MOST = 128;
@@ -46,6 +53,13 @@ final class FanBeam {
     double halfAlong;
     double farthest;
 
+    // The range of the ends and the origin across the beam and along it, relative to the origin, widened by rounding,
+    // m.
+    double lowAcross;
+    double highAcross;
+    double lowAlong;
+    double highAlong;
+
     /**
      * Takes segments of an order that run along the same axis.
      *
@@ -60,54 +74,79 @@ final class FanBeam {
         axisAcross = axisAhead == 2 ? 0 : axisAhead + 1;
         axisAlong = axisAcross == 2 ? 0 : axisAcross + 1;
         sign = (face & 1) == 0 ? 1.0 : -1.0;
-        float leastAcross = Float.POSITIVE_INFINITY;
-        float mostAcross = Float.NEGATIVE_INFINITY;
-        float leastAlong = Float.POSITIVE_INFINITY;
-        float mostAlong = Float.NEGATIVE_INFINITY;
-        float last = 0.0f;
-        lanes = 0;
-        int most = Math.min(MOST, to - from);
-        while (lanes < most) {
-            int segment = order.segment(from + lanes);
-            if (order.face(segment) != face) {
-                break;
-            }
-            float u = order.across(segment);
-            float v = order.along(segment);
-            float end = order.end(segment);
-            leastAcross = u < leastAcross ? u : leastAcross;
-            mostAcross = u > mostAcross ? u : mostAcross;
-            leastAlong = v < leastAlong ? v : leastAlong;
-            mostAlong = v > mostAlong ? v : mostAlong;
-            last = end > last ? end : last;
-            segments[lanes] = segment;
-            across[lanes] = u;
-            along[lanes] = v;
-            ends[lanes] = end;
-            lanes++;
+        lanes = Math.min(MOST, Math.min(to, order.faceEnd(from, to)) - from);
+        order.copy(from, lanes, segments, across, along, ends);
+        int padded = padded();
+        Arrays.fill(across, lanes, padded, across[lanes - 1]);
+        Arrays.fill(along, lanes, padded, along[lanes - 1]);
+        Arrays.fill(ends, lanes, padded, ends[lanes - 1]);
+        Arrays.fill(blocked, 0, padded, 0);
+        Arrays.fill(clear, 0, padded, -1);
+        findRanges();
+        centre();
+        return from + lanes;
+    }
+
+    /** Finds the ranges of directions and ends. */
+    private void findRanges() {
+        FloatVector x = FloatVector.fromArray(FLOATS, across, 0);
+        FloatVector y = FloatVector.fromArray(FLOATS, along, 0);
+        FloatVector end = FloatVector.fromArray(FLOATS, ends, 0);
+        FloatVector leastX = x;
+        FloatVector mostX = x;
+        FloatVector leastY = y;
+        FloatVector mostY = y;
+        FloatVector mostEnd = end;
+        FloatVector lowX = x.mul(end);
+        FloatVector highX = lowX;
+        FloatVector lowY = y.mul(end);
+        FloatVector highY = lowY;
+        for (int i = WIDTH; i < padded(); i += WIDTH) {
+            x = FloatVector.fromArray(FLOATS, across, i);
+            y = FloatVector.fromArray(FLOATS, along, i);
+            end = FloatVector.fromArray(FLOATS, ends, i);
+            leastX = leastX.min(x);
+            mostX = mostX.max(x);
+            leastY = leastY.min(y);
+            mostY = mostY.max(y);
+            mostEnd = mostEnd.max(end);
+            x = x.mul(end);
+            y = y.mul(end);
+            lowX = lowX.min(x);
+            highX = highX.max(x);
+            lowY = lowY.min(y);
+            highY = highY.max(y);
         }
+        float leastAcross = leastX.reduceLanes(VectorOperators.MIN);
+        float mostAcross = mostX.reduceLanes(VectorOperators.MAX);
+        float leastAlong = leastY.reduceLanes(VectorOperators.MIN);
+        float mostAlong = mostY.reduceLanes(VectorOperators.MAX);
+        // In single precision, since that is what directions are relative to.
         float u = 0.5f * (leastAcross + mostAcross);
         float v = 0.5f * (leastAlong + mostAlong);
         middleAcross = u;
         middleAlong = v;
         halfAcross = Math.max(mostAcross - u, u - leastAcross) + ROUNDING;
         halfAlong = Math.max(mostAlong - v, v - leastAlong) + ROUNDING;
-        farthest = last;
-        float perMetre = 1.0f / last;
+        farthest = mostEnd.reduceLanes(VectorOperators.MAX);
+        double rounding = ROUNDING * farthest;
+        lowAcross = Math.min(0.0, lowX.reduceLanes(VectorOperators.MIN)) - rounding;
+        highAcross = Math.max(0.0, highX.reduceLanes(VectorOperators.MAX)) + rounding;
+        lowAlong = Math.min(0.0, lowY.reduceLanes(VectorOperators.MIN)) - rounding;
+        highAlong = Math.max(0.0, highY.reduceLanes(VectorOperators.MAX)) + rounding;
+    }
+
+    /** Makes directions relative to the middle, and ends to the farthest one. */
+    private void centre() {
+        float u = (float) middleAcross;
+        float v = (float) middleAlong;
+        float perMetre = 1.0f / (float) farthest;
         int padded = padded();
-        for (int i = lanes; i < padded; i++) {
-            across[i] = across[lanes - 1];
-            along[i] = along[lanes - 1];
-            ends[i] = ends[lanes - 1];
-        }
         for (int i = 0; i < padded; i++) {
             across[i] -= u;
             along[i] -= v;
             ends[i] *= perMetre;
-            blocked[i] = 0;
-            clear[i] = -1;
         }
-        return from + lanes;
     }
 
     /** Whether they can be traced together: single precision bounds their lengths. */

@@ -135,7 +135,9 @@ final class FanOcclusion {
         if (added == 0) {
             return -1;
         }
-        findBeside();
+        if (findBeside()) {
+            return -1;
+        }
         findFunctions();
         boundErrors();
         findMissed();
@@ -160,8 +162,8 @@ final class FanOcclusion {
 
     // In four parts, which pass vectors on in arrays: the compiler does not inline enough for one.
 
-    /** Finds out which triangles are beside the beam: all corners are beyond one of its sides. */
-    private void findBeside() {
+    /** Finds out which triangles are beside the beam: all corners are beyond one of its sides. Whether all are. */
+    private boolean findBeside() {
         FloatVector halfX = FloatVector.broadcast(FLOATS, (float) beam.halfAcross);
         FloatVector halfY = FloatVector.broadcast(FLOATS, (float) beam.halfAlong);
         FloatVector ax = FloatVector.fromArray(FLOATS, shapes, 0);
@@ -195,7 +197,9 @@ final class FanOcclusion {
                 .reinterpretAsInts()
                 .and(bside.sub(by).reinterpretAsInts())
                 .and(cside.sub(cy).reinterpretAsInts());
-        left.or(right).or(below).or(above).intoArray(beside, 0);
+        IntVector outside = left.or(right).or(below).or(above);
+        outside.intoArray(beside, 0);
+        return areAllNegative(outside);
     }
 
     /** Computes the edge functions, which have one sign inside, that of the volume; and their sum. */
@@ -381,7 +385,11 @@ final class FanOcclusion {
             IntVector.fromArray(INTS, clear, i).and(least).intoArray(clear, i);
             all = all.and(hidden);
         }
-        LongVector words = all.reinterpretAsLongs();
+        return areAllNegative(all);
+    }
+
+    private static boolean areAllNegative(IntVector numbers) {
+        LongVector words = numbers.reinterpretAsLongs();
         return (words.lane(0) & words.lane(1) & words.lane(2) & words.lane(3) & SIGNS) == SIGNS;
     }
 }

@@ -29,7 +29,13 @@ final class FanOrder {
     private final float[] along = new float[MOST];
     private final float[] ends = new float[MOST];
     private final int[] cells = new int[MOST];
+
+    /** The segments in their order: their numbers, directions and ends. */
     private final int[] order = new int[MOST];
+
+    private final float[] sortedAcross = new float[MOST];
+    private final float[] sortedAlong = new float[MOST];
+    private final float[] sortedEnds = new float[MOST];
     private final int[] faceCounts = new int[FACES];
     private final int[] faceStarts = new int[FACES + 1];
     private final float[] leastAcross = new float[FACES];
@@ -77,7 +83,11 @@ final class FanOrder {
             starts[cell + 1] += starts[cell];
         }
         for (int i = 0; i < count; i++) {
-            order[starts[cells[i]]++] = i;
+            int position = starts[cells[i]]++;
+            order[position] = i;
+            sortedAcross[position] = across[i];
+            sortedAlong[position] = along[i];
+            sortedEnds[position] = ends[i];
         }
     }
 
@@ -94,6 +104,7 @@ final class FanOrder {
                         1 + faceCounts[face] / PER_CELL);
             }
         }
+        faceStarts[FACES] = cellCount;
         return cellCount;
     }
 
@@ -125,10 +136,18 @@ final class FanOrder {
         along[segment] = v;
         ends[segment] = end;
         faceCounts[face]++;
-        leastAcross[face] = u < leastAcross[face] ? u : leastAcross[face];
-        mostAcross[face] = u > mostAcross[face] ? u : mostAcross[face];
-        leastAlong[face] = v < leastAlong[face] ? v : leastAlong[face];
-        mostAlong[face] = v > mostAlong[face] ? v : mostAlong[face];
+        if (u < leastAcross[face]) {
+            leastAcross[face] = u;
+        }
+        if (u > mostAcross[face]) {
+            mostAcross[face] = u;
+        }
+        if (v < leastAlong[face]) {
+            leastAlong[face] = v;
+        }
+        if (v > mostAlong[face]) {
+            mostAlong[face] = v;
+        }
     }
 
     /** The segment at a position of the order, counted from the first one. */
@@ -144,18 +163,22 @@ final class FanOrder {
         return faces[segment];
     }
 
-    /** Its direction: the component on the axis after its longest one, if that is 1. */
-    float across(int segment) {
-        return across[segment];
+    /** The position after the last segment that crosses the same face as that at a position. */
+    int faceEnd(int position, int count) {
+        int face = faces[order[position]];
+        return face == UNBOUNDED ? count : starts[faceStarts[face + 1] - 1];
     }
 
-    /** The component on the third axis. */
-    float along(int segment) {
-        return along[segment];
-    }
-
-    /** The length of a segment along its longest axis, m. */
-    float end(int segment) {
-        return ends[segment];
+    /**
+     * Copies directions, components on the axis after the longest one and on the third, if that on the longest is 1;
+     * and lengths along the longest axis, m.
+     *
+     * @param from the position of the first segment
+     */
+    void copy(int from, int number, int[] segments, float[] across, float[] along, float[] ends) {
+        System.arraycopy(order, from, segments, 0, number);
+        System.arraycopy(sortedAcross, from, across, 0, number);
+        System.arraycopy(sortedAlong, from, along, 0, number);
+        System.arraycopy(sortedEnds, from, ends, 0, number);
     }
 }

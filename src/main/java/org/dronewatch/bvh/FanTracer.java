@@ -25,6 +25,9 @@ final class FanTracer {
     private final double[] first = new double[6];
     private final double[] last = new double[6];
 
+    /** How far the segments extend from the origin along each axis, and against it, m. */
+    private final double[] reach = new double[6];
+
     private final int[] stackNode;
     private final double[] stackEntry;
     private final double[] stackExit;
@@ -70,6 +73,12 @@ final class FanTracer {
         setDirection(beam.axisAcross, beam.middleAcross - beam.halfAcross, beam.middleAcross + beam.halfAcross);
         setDirection(beam.axisAlong, beam.middleAlong - beam.halfAlong, beam.middleAlong + beam.halfAlong);
         setDirection(beam.axisAhead, beam.sign, beam.sign);
+        reach[2 * beam.axisAcross] = beam.highAcross;
+        reach[2 * beam.axisAcross + 1] = -beam.lowAcross;
+        reach[2 * beam.axisAlong] = beam.highAlong;
+        reach[2 * beam.axisAlong + 1] = -beam.lowAlong;
+        reach[2 * beam.axisAhead] = beam.farthest * (1.0 + FanBeam.ROUNDING);
+        reach[2 * beam.axisAhead + 1] = reach[2 * beam.axisAhead];
     }
 
     private void setDirection(int axis, double low, double high) {
@@ -117,7 +126,7 @@ final class FanTracer {
                 }
                 double firstMeets = toPlane * first[side];
                 double lastMeets = toPlane * last[side];
-                if (firstMeets > exit) {
+                if (firstMeets > exit || Math.abs(toPlane) > reach[side]) {
                     index = near;
                 } else if (lastMeets < entry) {
                     index = far;

@@ -14,9 +14,10 @@ import org.dronewatch.kdtree.RayTracer;
 public final class SegmentFan {
     private final RayTracer single;
     private final FanOrder order = new FanOrder();
-    private final FanBeam beam = new FanBeam();
 
-    /** Traces segments together; null to trace all of them one by one. */
+    /** The segments that are traced together; null to trace all of them one by one. */
+    private final FanBeam beam;
+
     private final FanTracer tracer;
 
     private double ox;
@@ -31,7 +32,9 @@ public final class SegmentFan {
      */
     SegmentFan(KDTree tree, RayTracer single, boolean byVectors) {
         this.single = single;
-        this.tracer = byVectors && isBounded(tree.bounds()) ? new FanTracer(tree, beam) : null;
+        boolean areTogether = byVectors && isBounded(tree.bounds());
+        this.beam = areTogether ? new FanBeam() : null;
+        this.tracer = areTogether ? new FanTracer(tree, beam) : null;
     }
 
     private static boolean isBounded(AABB box) {
