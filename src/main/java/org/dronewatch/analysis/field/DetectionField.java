@@ -156,6 +156,11 @@ public final class DetectionField {
         return grid;
     }
 
+    /** Whether every sensor has the same probability and cause on all courses in a cell. */
+    boolean isSameOnAllCourses(int height, int column, int row) {
+        return all.areSameOnAllCourses(height, column, row);
+    }
+
     /** The courses. */
     public List<Course> courses() {
         return all.courses();

@@ -5,6 +5,7 @@ import java.util.OptionalInt;
 import java.util.function.IntConsumer;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.layer.Dominance;
 import org.dronewatch.parallel.Workers;
@@ -16,8 +17,9 @@ import org.dronewatch.setting.Quantity;
  * covers it, how many do, and the dominant cause. Immutable and thread-safe.
  *
  * <p>The course that counts is the same for all sensors: the one with the lowest, or the highest, joint probability
- * {@code 1 - (1 - p1)(1 - p2)...}; in a tie, the first of them in the order of the field. A sensor covers a cell where
- * its probability there is at least a given value. The dominant cause is that of the sensor that decides
+ * {@code 1 - (1 - p1)(1 - p2)...}; in a tie, the one whose dominant cause is farthest from a detection, or nearest to
+ * it, in the order of {@link Cause}; then the first in the order of the field. A sensor covers a cell where its
+ * probability there is at least a given value. The dominant cause is that of the sensor that decides
  * ({@link #deciding}).
  */
 public final class FieldCoverage {
@@ -120,6 +122,9 @@ public final class FieldCoverage {
 
     /** The course that counts in a cell. */
     private int course(int height, int column, int row) {
+        if (field.isSameOnAllCourses(height, column, row)) {
+            return 0;
+        }
         int chosen = 0;
         double least = Double.NaN;
         for (int course = 0; course < field.courses().size(); course++) {
@@ -128,12 +133,28 @@ public final class FieldCoverage {
                 missed *= 1.0 - field.probability(sensor, height, column, row, course);
             }
             double rank = choice == Choice.WORST ? -missed : missed;
-            if (!(rank >= least)) {
+            if (!(rank >= least) || rank == least && isPreferred(course, chosen, height, column, row)) {
                 least = rank;
                 chosen = course;
             }
         }
         return chosen;
+    }
+
+    /**
+     * Whether a course counts instead of an earlier one with the same joint probability: otherwise, where a drone is
+     * missed on all courses, the cause would depend on the order of the courses, which begin in the north.
+     */
+    private boolean isPreferred(int course, int earlier, int height, int column, int row) {
+        int its = dominant(height, column, row, course);
+        int other = dominant(height, column, row, earlier);
+        return choice == Choice.WORST ? its < other : its > other;
+    }
+
+    /** The highest rank of a sensor. */
+    private int dominant(int height, int column, int row, int course) {
+        IntUnaryOperator ranks = ranks(height, column, row, course);
+        return IntStream.range(0, field.sensors().size()).map(ranks).max().orElse(0);
     }
 
     private int index(int height, int column, int row) {

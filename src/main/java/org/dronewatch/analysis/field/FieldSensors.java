@@ -178,6 +178,11 @@ final class FieldSensors {
         return Optional.ofNullable(probes.get(sensor)).flatMap(FieldProbe::excess);
     }
 
+    /** Whether all assessments of a cell are the same on all courses. */
+    boolean areSameOnAllCourses(int height, int column, int row) {
+        return layers.stream().allMatch(layer -> layer.isSameOnAllCourses(height, column, row));
+    }
+
     /** As {@link DetectionField#step}. */
     int step(int sensor, int height, int column, int row, int course) {
         return layers.get(sensor).step(height, column, row, inLayers[course]);

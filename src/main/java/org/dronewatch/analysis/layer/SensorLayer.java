@@ -139,6 +139,11 @@ public final class SensorLayer {
                 Arrays.copyOfRange(byCourse, from, from + rows));
     }
 
+    /** Whether a cell has the same assessment on all courses. */
+    public boolean isSameOnAllCourses(int height, int column, int row) {
+        return entries[height * rows + row][column] >= 0;
+    }
+
     /** The probability that the drone is detected, as a {@link ProbabilityStep step}; 0 where it cannot be. */
     public int step(int height, int column, int row, int course) {
         return CellCode.step(at(height, column, row, course));

@@ -9,7 +9,6 @@ import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.coverage.table.CoverageSite;
-import org.dronewatch.report.coverage.table.LeastWarning;
 import org.dronewatch.report.coverage.table.WarningTable;
 import org.dronewatch.report.sheet.ColourMix;
 import org.dronewatch.report.sheet.MapSheet;
@@ -67,10 +66,7 @@ public final class WarningMap {
                     .toList();
             Color colour = FieldPictures.ofHeight(i, heights.length);
             sheet.outline(outline(warnings, its), colour, i + 1);
-            String others = LeastWarning.ofOthers(its, WarningTable::seconds)
-                    .map(words -> ", " + words)
-                    .orElse("");
-            sheet.sample(colour, i + 1, FieldPictures.metres(height) + ": " + WarningTable.least(its) + others);
+            sheet.sample(colour, i + 1, FieldPictures.metres(height) + ": " + WarningTable.leastAndOthers(its));
         }
         for (List<Position> zone : ProtectedOutlines.of(site.stage().protection())) {
             sheet.outline(zone, Color.BLACK, 0);

@@ -108,7 +108,7 @@ public final class WarningWords {
     private static String inTable(List<Warning> its) {
         LeastWarning least = least(its);
         return LeastWarning.ofOthers(its, WarningWords::seconds)
-                .map(words -> "none; " + words)
+                .map(time -> "none; " + time + " from the others")
                 .orElseGet(() -> (least.isNone() ? "none" : time(least)) + " from " + least.directions());
     }
 

@@ -99,6 +99,32 @@ class FieldCoverageTest {
         assertThat(high).isPositive();
     }
 
+    /** Where a radar misses a drone on all courses, its cause is the same in all directions from the radar. */
+    @Test
+    void amongEqualCoursesTheCauseThatIsFarthestFromADetectionCountsOrTheNearest() throws IOException {
+        String blind =
+                """
+                  round: {kind: radar, position: [0, 0, 30], minRange: 1, maxRange: 900, elevationWidth: 180 deg,
+                    budget: {range: 20, crossSection: 0.01}, minSpeed: 3 m/s}
+                """;
+        FieldGrid grid = new FieldGrid(0.0, 0.0, 500.0, 20.0, List.of(60.0));
+        DetectionField all = FieldSite.in(Files.createDirectory(directory.resolve("round")), blind)
+                .field(grid, 2);
+        FieldCoverage worst = new FieldCoverage(all, FieldCoverage.Choice.WORST, 0.5);
+        FieldCoverage best = new FieldCoverage(all, FieldCoverage.Choice.BEST, 0.5);
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            int column = cell % grid.columns();
+            int row = cell / grid.columns();
+            String as = "%s, %s".formatted(grid.x(column), grid.y(row));
+            if (Math.hypot(grid.x(column), grid.y(row)) < 10.0) {
+                // Straight above the radar, every level flight crosses its line of sight.
+                continue;
+            }
+            assertThat(worst.cause(0, column, row)).as(as).isEqualTo(Cause.TOO_SLOW);
+            assertThat(best.cause(0, column, row)).as(as).isEqualTo(Cause.TOO_WEAK);
+        }
+    }
+
     @Test
     void theCourseThatCountsHasTheLeastOrTheGreatestJointProbability() {
         FieldCoverage worst = new FieldCoverage(field, FieldCoverage.Choice.WORST, 0.5);

@@ -18,6 +18,8 @@ import org.dronewatch.report.CompassPoint;
  * @param of the number of all flights
  */
 public record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int of) {
+    private static final String EXCEPT = "except from ";
+
     /**
      * The least warning.
      *
@@ -35,8 +37,8 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
     }
 
     /**
-     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more from the others}; empty
-     * unless there are such bearings and others. The unit stays in the line of the number.
+     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more}; empty unless there are
+     * such bearings and others. The unit stays in the line of the number.
      *
      * @param words writes a time, s
      */
@@ -45,7 +47,7 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
                 all.stream().flatMapToDouble(one -> one.time().stream()).summaryStatistics();
         return times.getCount() == 0 || times.getCount() == all.size()
                 ? Optional.empty()
-                : Optional.of(words.apply(times.getMin()).replace(' ', '\u00a0') + " or more from the others");
+                : Optional.of(words.apply(times.getMin()).replace(' ', '\u00a0') + " or more");
     }
 
     private static String words(Warning one, DoubleFunction<String> words) {
@@ -58,16 +60,16 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
     }
 
     /**
-     * The bearings, clockwise, such as {@code 350 to 20 deg}, {@code all but 160 deg}, {@code all bearings} or
-     * {@code 7 of 36 bearings}, of flights that are all those at a height, from north; {@code any bearing} if a drone
-     * arrives undetected from each.
+     * The bearings, clockwise, such as {@code from 350 to 20 deg}, {@code from all bearings but 160 deg}, {@code from
+     * all bearings} or {@code from 7 of 36 bearings}, of flights that are all those at a height, from north. If a drone
+     * arrives undetected, {@code from any bearing} or {@code except from 160 deg}.
      *
      * @param all the flights
      */
     String bearings(List<Warning> all) {
         int count = flights.size();
         if (count == of && count > 1) {
-            return isNone() ? "any bearing" : "all bearings";
+            return isNone() ? "from any bearing" : "from all bearings";
         }
         // Where an arc begins: the flight before it is not among them.
         List<Integer> starts = IntStream.range(0, of)
@@ -75,11 +77,13 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
                 .boxed()
                 .toList();
         if (starts.size() > 1) {
-            return count + " of " + of + " bearings";
+            return "from " + count + " of " + of + " bearings";
         }
         int first = starts.isEmpty() ? 0 : starts.get(0);
         // Of an arc of more than half a turn, the two ends would suggest the other arc between them.
-        return 2 * count > of && count < of ? "all but " + arc(all, first + count, of - count) : arc(all, first, count);
+        return 2 * count > of && count < of
+                ? (isNone() ? EXCEPT : "from all bearings but ") + arc(all, first + count, of - count)
+                : "from " + arc(all, first, count);
     }
 
     private static String arc(List<Warning> all, int first, int count) {

@@ -12,6 +12,7 @@ import org.dronewatch.report.file.Numbers;
 /** A table of the warning times of inbound flights. */
 public final class WarningTable {
     private static final String AT_LEAST = ">= ";
+    private static final String FROM_OTHERS = " from the others";
 
     private WarningTable() {}
 
@@ -58,7 +59,15 @@ public final class WarningTable {
     public static String least(List<Warning> warnings) {
         LeastWarning least = LeastWarning.of(warnings, WarningTable::seconds);
         String time = least.isNone() ? "none" : (least.isFromStart() ? AT_LEAST : "") + least.time();
-        return time + " from " + least.bearings(warnings);
+        return time + " " + least.bearings(warnings);
+    }
+
+    /** The same, with the least warning from the other bearings if there is none from some. */
+    public static String leastAndOthers(List<Warning> warnings) {
+        String least = least(warnings);
+        return LeastWarning.ofOthers(warnings, WarningTable::seconds)
+                .map(time -> least.startsWith("none except") ? least + ": " + time : least + ", " + time + FROM_OTHERS)
+                .orElse(least);
     }
 
     /** A time to a tenth. */

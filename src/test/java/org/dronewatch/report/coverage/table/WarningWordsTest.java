@@ -59,6 +59,10 @@ class WarningWordsTest {
         return new WarningWords(warnings).html() + new WarningWords(warnings).worstInWords();
     }
 
+    private static List<Warning> at10(InboundWarnings warnings) {
+        return warnings.all().stream().filter(one -> one.height() == 10.0).toList();
+    }
+
     private static String table(InboundWarnings warnings) {
         return String.join("\n", WarningTable.lines(warnings, FieldCoverage.DEFAULT_COVERED));
     }
@@ -99,16 +103,21 @@ class WarningWordsTest {
         assertThat(table(flights(0, bearing -> bearing >= 34 || bearing < 2 ? 3 : 8, bearing -> false)))
                 .contains("  3.0 s from 340 to 10 deg  ");
         assertThat(table(flights(0, bearing -> bearing == 16 ? 8 : 3, bearing -> false)))
-                .contains("  3.0 s from all but 160 deg  ");
+                .contains("  3.0 s from all bearings but 160 deg  ");
         assertThat(table(flights(0, bearing -> bearing < 35 && bearing > 1 ? -1 : 3, bearing -> false)))
-                .contains("  none from all but 350 to 10 deg  ");
+                .contains("  none except from 350 to 10 deg  ");
         assertThat(table(flights(0, bearing -> bearing % 2, bearing -> false)))
                 .contains("  0.0 s from 18 of 36 bearings  ");
         assertThat(LeastWarning.ofOthers(
                         flights(0, bearing -> bearing % 2 == 0 ? -1 : bearing, bearing -> false)
                                 .all(),
                         WarningTable::seconds))
-                .contains("1.0\u00a0s or more from the others");
+                .contains("1.0\u00a0s or more");
+        assertThat(WarningTable.leastAndOthers(
+                        at10(flights(0, bearing -> bearing < 35 && bearing > 1 ? -1 : 3, bearing -> false))))
+                .isEqualTo("none except from 350 to 10 deg: 3.0\u00a0s or more");
+        assertThat(WarningTable.leastAndOthers(at10(flights(0, bearing -> bearing < 5 ? -1 : 8, bearing -> false))))
+                .isEqualTo("none from 0 to 40 deg, 8.0\u00a0s or more from the others");
         assertThat(LeastWarning.ofOthers(
                         flights(0, bearing -> bearing, bearing -> false).all(), WarningTable::seconds))
                 .isEmpty();
