@@ -2,12 +2,16 @@ package org.dronewatch.analysis.survey;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.cell.Margin;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.parallel.Workers;
@@ -21,12 +25,13 @@ import org.dronewatch.sensor.Cause;
  * @param sensor name of the sensor
  * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} represents a
  *     probability that is too low
- * @param examined a few cells for each cause, spread evenly over the cells with that cause and assessed again, with
- *     what hides the drone, and by how much its signal is too weak
+ * @param examined a few cells for each cause, spread evenly over the cells with that cause, and, where the signal is
+ *     too weak, those with the greatest and the least margin, as far as the field keeps values; they are assessed
+ *     again, with what hides the drone, and by how much its signal is too weak
  */
 public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examined> examined) {
-    /** Maximum number of cells of a gap that are assessed again for each cause. */
-    public static final int MOST_EXAMINED = 8;
+    /** Maximum number of cells of a gap, spread evenly, that are assessed again for each cause. */
+    public static final int MOST_SPREAD = 8;
 
     /** Copies the map and the list: later changes by the caller have no effect. */
     public GapEvidence {
@@ -54,13 +59,16 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
         List<Map<Cause, List<Integer>>> bySensor = new ArrayList<>();
         List<int[]> chosen = new ArrayList<>();
         for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
+            int index = sensor;
             Map<Cause, List<Integer>> byCause = byCause(map, sensor, cells);
             bySensor.add(byCause);
-            for (List<Integer> its : byCause.values()) {
-                for (int cell : spread(its)) {
-                    chosen.add(new int[] {sensor, cell});
+            byCause.forEach((cause, its) -> {
+                SortedSet<Integer> some = new TreeSet<>(spread(its));
+                if (cause == Cause.TOO_WEAK) {
+                    some.addAll(extremes(map, index, its));
                 }
-            }
+                some.forEach(cell -> chosen.add(new int[] {index, cell}));
+            });
         }
         Examined[] examined = new Examined[chosen.size()];
         Workers.forEach(
@@ -84,12 +92,32 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
 
     /** Some of the cells, spread evenly: those in the middle of equal parts; all cells if there are few. */
     private static List<Integer> spread(List<Integer> cells) {
-        long count = Math.min(cells.size(), MOST_EXAMINED);
+        long count = Math.min(cells.size(), MOST_SPREAD);
         List<Integer> some = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             some.add(cells.get((int) ((2L * i + 1) * cells.size() / (2L * count))));
         }
         return some;
+    }
+
+    /** The cells with the greatest and the least margin; none unless values are kept for some of them. */
+    private static List<Integer> extremes(GapMap map, int sensor, List<Integer> cells) {
+        Comparator<Integer> byMargin =
+                Comparator.comparingDouble(cell -> margin(map, sensor, cell).db());
+        List<Integer> known = cells.stream()
+                .filter(cell -> margin(map, sensor, cell).kind() == Margin.Known.VALUE)
+                .toList();
+        return known.isEmpty()
+                ? List.of()
+                : List.of(Collections.min(known, byMargin), Collections.max(known, byMargin));
+    }
+
+    private static Margin margin(GapMap map, int sensor, int cell) {
+        FieldGrid grid = map.coverage().field().grid();
+        int column = grid.column(cell);
+        int row = grid.row(cell);
+        int course = map.coverage().courseAt(map.height(), column, row);
+        return map.coverage().field().margin(sensor, map.height(), column, row, course);
     }
 
     private static Map<Cause, List<Integer>> byCause(GapMap map, int sensor, int[] cells) {

@@ -1,8 +1,10 @@
 package org.dronewatch.analysis.survey;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -12,11 +14,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
+import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -174,7 +179,7 @@ class GapSpanTest {
             assertThat(round.causes()).isEqualTo(map.gaps().get(gap).causes());
             round.causes().forEach((cause, cells) -> assertThat(round.examined())
                     .filteredOn(one -> one.assessment().cause() == cause)
-                    .hasSize(Math.min(GapEvidence.MOST_EXAMINED, cells)));
+                    .hasSize(Math.min(GapEvidence.MOST_SPREAD, cells)));
             for (GapEvidence.Examined one : round.examined()) {
                 Cause cause = one.assessment().cause();
                 assertThat(round.causes()).containsKey(cause);
@@ -189,6 +194,44 @@ class GapSpanTest {
             }
         }
         assertThat(named).containsExactlyInAnyOrder("building.obj", "vegetation.obj", "other.obj", "terrain.obj");
+    }
+
+    /** The strongest and the weakest signal that the examined cells have are those of all cells of the gap. */
+    @Test
+    void theExtremesOfASignalThatIsTooWeakAreThoseOfTheGap() throws IOException {
+        String weak =
+                """
+                  weak: {kind: radar, position: [20, 10, 4], minRange: 1, maxRange: 900, elevationWidth: 180 deg,
+                    budget: {range: 60, crossSection: 0.01}, minSpeed: 0 m/s}
+                """;
+        FieldSite other = FieldSite.in(Files.createDirectory(directory.resolve("weak")), weak);
+        DetectionField all = other.field(GRID, 2);
+        FieldCoverage missed = new FieldCoverage(all, FieldCoverage.Choice.WORST, 0.5);
+        GapMap map = GapMap.of(missed, 0);
+        double[] margins = IntStream.of(map.cells(0))
+                .filter(cell -> missed.cause(0, GRID.column(cell), GRID.row(cell)) == Cause.TOO_WEAK)
+                .mapToDouble(cell -> all.assess(
+                                0,
+                                0,
+                                GRID.column(cell),
+                                GRID.row(cell),
+                                missed.courseAt(0, GRID.column(cell), GRID.row(cell)))
+                        .orElseThrow()
+                        .marginDb())
+                .sorted()
+                .toArray();
+        double[] examined;
+        try (Workers workers = new Workers(2)) {
+            examined = workers.call(() -> GapEvidence.of(map, 0, other.stage())).get(0).examined().stream()
+                    .map(GapEvidence.Examined::assessment)
+                    .filter(one -> one.cause() == Cause.TOO_WEAK)
+                    .mapToDouble(Assessment::marginDb)
+                    .sorted()
+                    .toArray();
+        }
+        assertThat(margins).hasSizeGreaterThan(50);
+        assertThat(examined[0]).isCloseTo(margins[0], within(0.1));
+        assertThat(examined[examined.length - 1]).isCloseTo(margins[margins.length - 1], within(0.1));
     }
 
     /** By the slabs between the faces of the boxes; the order of causes puts too slow before hidden. */

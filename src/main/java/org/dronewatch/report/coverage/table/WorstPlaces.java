@@ -57,7 +57,12 @@ public final class WorstPlaces {
             return Html.plain("p", "At each of these heights, the drone is detected everywhere.");
         }
         List<GapSpan> shown = gaps.subList(0, Math.min(MOST_GAPS, gaps.size()));
-        StringBuilder html = new StringBuilder();
+        StringBuilder html = new StringBuilder(Html.plain(
+                "p",
+                "How weak a signal is, and what hides the drone, is stated for the height at which a gap is largest. Obstacles are"
+                        + " those of up to " + GapEvidence.MOST_SPREAD + " cells of the gap for each sensor and cause,"
+                        + " spread evenly, and so are the signals of cameras; those of other sensors, where they are"
+                        + " certain, are the strongest and the weakest of the gap."));
         for (int i = 0; i < shown.size(); i++) {
             html.append(describe(i + 1, shown.get(i)));
         }
@@ -92,7 +97,9 @@ public final class WorstPlaces {
                                 + reference.coordinates(
                                         span.gap().x(), span.gap().y()) + ". "
                                 + why(span.gap(), evidence))
-                + Html.table(List.of("sensor", "why it does not detect the drone there"), rows(evidence));
+                + Html.table(
+                        List.of("sensor", "why it does not detect the drone at " + height(span.height()) + " m"),
+                        rows(evidence));
     }
 
     /** {@code 10 m above the ground}, or {@code 10 to 60 m above the ground}. */
