@@ -17,9 +17,9 @@ import org.dronewatch.setting.Quantity;
  * covers it, how many do, and the dominant cause. Immutable and thread-safe.
  *
  * <p>The course that counts is the same for all sensors: the one with the lowest, or the highest, joint probability
- * {@code 1 - (1 - p1)(1 - p2)...}; in a tie, the one whose dominant cause is farthest from a detection, or nearest to
- * it, in the order of {@link Cause}; then the first in the order of the field. A sensor covers a cell where its
- * probability there is at least a given value. The dominant cause is that of the sensor that decides
+ * {@code 1 - (1 - p1)(1 - p2)...}; in a tie, the one whose dominant cause is nearest to a detection in the order of
+ * {@link Cause}; then the first in the order of the field. A sensor covers a cell where its probability there is at
+ * least a given value. The dominant cause is that of the sensor that decides
  * ({@link #deciding}).
  */
 public final class FieldCoverage {
@@ -142,13 +142,12 @@ public final class FieldCoverage {
     }
 
     /**
-     * Whether a course counts instead of an earlier one with the same joint probability: otherwise, where a drone is
-     * missed on all courses, the cause would depend on the order of the courses, which begin in the north.
+     * Whether a course counts instead of an earlier one with the same joint probability. A drone that is missed on all
+     * courses is then not too slow if it would be missed at any speed, and the cause does not depend on the order of
+     * the courses, which begin in the north.
      */
     private boolean isPreferred(int course, int earlier, int height, int column, int row) {
-        int its = dominant(height, column, row, course);
-        int other = dominant(height, column, row, earlier);
-        return choice == Choice.WORST ? its < other : its > other;
+        return dominant(height, column, row, course) > dominant(height, column, row, earlier);
     }
 
     /** The highest rank of a sensor. */

@@ -37,6 +37,11 @@ public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) 
         return new FieldSummary(coverage, heights);
     }
 
+    /** Whether no cell is unknown at any height. */
+    public boolean isAllKnown() {
+        return heights.stream().allMatch(one -> one.unknown() == 0);
+    }
+
     /**
      * The sensors that can each be left out, one at a time, without changing which cells are covered at any height;
      * empty if nothing is covered.

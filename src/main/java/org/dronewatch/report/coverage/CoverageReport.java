@@ -27,6 +27,7 @@ import org.dronewatch.report.coverage.table.FieldTable;
 import org.dronewatch.report.coverage.table.Losses;
 import org.dronewatch.report.coverage.table.ReferencePoint;
 import org.dronewatch.report.coverage.table.WorstPlaces;
+import org.dronewatch.report.file.Numbers;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.Page;
@@ -101,7 +102,11 @@ final class CoverageReport {
     }
 
     private String verdict() {
-        List<String> sentences = new ArrayList<>(List.of(covered(), places.worstInWords(), warnings.worstInWords()));
+        List<String> sentences = new ArrayList<>(List.of(covered()));
+        FieldTable.unknownInWords(summary)
+                .map(words -> "Unknown: " + words + ".")
+                .ifPresent(sentences::add);
+        sentences.addAll(List.of(places.worstInWords(), warnings.worstInWords()));
         losses.worstInWords().ifPresent(sentences::add);
         if (!summary.idleSensors().isEmpty()) {
             sentences.add(losses.idle());
@@ -130,13 +135,14 @@ final class CoverageReport {
                             : " at " + number(most.height()) + " m above the ground.");
         }
         String from = percent(least.covered(), least) + " % ";
+        String area = summary.isAllKnown() ? "the area" : "the known area";
         if (share(least) == share(most) && known.size() > 1) {
-            return subject + from + "of the area at each of the heights.";
+            return subject + from + "of " + area + " at each of the heights.";
         }
         return least == most
-                ? subject + from + "of the area at " + number(least.height()) + " m above the ground."
+                ? subject + from + "of " + area + " at " + number(least.height()) + " m above the ground."
                 : subject + from + "(at " + number(least.height()) + " m above the ground) to "
-                        + percent(most.covered(), most) + " % (at " + number(most.height()) + " m) of the area.";
+                        + percent(most.covered(), most) + " % (at " + number(most.height()) + " m) of " + area + ".";
     }
 
     private String heading() {
@@ -152,7 +158,7 @@ final class CoverageReport {
         return within()
                 + (inputs.hasDefaultProbability()
                         ? ""
-                        : "with a probability of " + number(inputs.covered()) + " or more ");
+                        : "with a probability of " + Numbers.text(inputs.covered()) + " or more ");
     }
 
     private String within() {
@@ -194,7 +200,7 @@ final class CoverageReport {
                         "The table states the part of the known area at each height, in %, in which at least one sensor"
                                 + " detects the drone "
                                 + (inputs.within().isEmpty() ? "in one look " : within())
-                                + "with a probability of " + number(inputs.covered())
+                                + "with a probability of " + Numbers.text(inputs.covered())
                                 + " or more, and the causes of all sensors' misses "
                                 + (inputs.within().isPresent()
                                         ? "in single looks."

@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
@@ -55,7 +56,30 @@ public final class FieldTable {
             lines.add(line.toString());
         }
         slownessInWords(causes, inputs).map("too slow: "::concat).ifPresent(lines::add);
+        unknownInWords(summary).map("unknown: "::concat).ifPresent(lines::add);
         return lines;
+    }
+
+    /** How much of the area is unknown, and why; empty if nothing is. */
+    public static Optional<String> unknownInWords(FieldSummary summary) {
+        List<HeightSummary> unknown = summary.heights().stream()
+                .filter(height -> height.unknown() > 0)
+                .sorted(Comparator.comparingInt(HeightSummary::unknown))
+                .toList();
+        if (unknown.isEmpty()) {
+            return Optional.empty();
+        }
+        String least =
+                ofArea(summary.heights().size() > unknown.size() ? Optional.empty() : Optional.of(unknown.get(0)));
+        String most = ofArea(Optional.of(unknown.get(unknown.size() - 1)));
+        String range =
+                least.equals(most) ? most + " % of the area" : least + " to " + most + " % of the area, by height";
+        return Optional.of(range + ": the ground there, or below a line of sight, is not known");
+    }
+
+    private static String ofArea(Optional<HeightSummary> height) {
+        return height.map(its -> CoverageTable.percent(its.unknown(), its.cells()))
+                .orElse("0");
     }
 
     /** On the worst heading, a radar that rejects low radial speeds detects nothing, wherever the drone is. */

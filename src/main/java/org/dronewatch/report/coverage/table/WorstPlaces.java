@@ -54,28 +54,29 @@ public final class WorstPlaces {
      */
     public String html() {
         if (gaps.isEmpty()) {
-            return Html.plain("p", "At each of these heights, the drone is detected everywhere.");
+            return Html.plain("p", "At each of these heights, the drone is detected everywhere" + known() + ".");
         }
         List<GapSpan> shown = gaps.subList(0, Math.min(MOST_GAPS, gaps.size()));
-        StringBuilder html = new StringBuilder(Html.plain(
-                "p",
-                "How weak a signal is, and what hides the drone, is stated for the height at which a gap is largest. Obstacles are"
-                        + " those of up to " + GapEvidence.MOST_SPREAD + " cells of the gap for each sensor and cause,"
-                        + " spread evenly, and so are the signals of cameras; those of other sensors, where they are"
-                        + " certain, are the strongest and the weakest of the gap."));
+        StringBuilder html = new StringBuilder();
         for (int i = 0; i < shown.size(); i++) {
             html.append(describe(i + 1, shown.get(i)));
         }
         if (all > shown.size()) {
             html.append(Html.plain("p", "Smaller gaps are shown on the maps."));
         }
+        html.append(Html.plain(
+                "p",
+                "Signals and obstacles are stated for the height at which a gap is largest. For radars, radio receivers"
+                        + " and microphones, the strongest and the weakest signal are those of the whole gap, where they"
+                        + " are certain; other signals, and the obstacles, are those of up to "
+                        + GapEvidence.MOST_SPREAD + " cells for each sensor and cause, spread evenly over the gap."));
         return html.toString();
     }
 
     /** The largest gap of all, for the verdict. */
     public String worstInWords() {
         if (gaps.isEmpty()) {
-            return "There is no gap in the coverage at these heights.";
+            return "There is no gap in the coverage" + known() + " at these heights.";
         }
         GapSpan worst = gaps.get(0);
         return "The largest gap, at " + heights(worst) + ", has an area of " + size(worst) + ". It "
@@ -100,6 +101,10 @@ public final class WorstPlaces {
                 + Html.table(
                         List.of("sensor", "why it does not detect the drone at " + height(span.height()) + " m"),
                         rows(evidence));
+    }
+
+    private String known() {
+        return summary.isAllKnown() ? "" : " in the known area";
     }
 
     /** {@code 10 m above the ground}, or {@code 10 to 60 m above the ground}. */
