@@ -39,8 +39,8 @@ import tools.jackson.databind.node.ObjectNode;
         mixinStandardHelpOptions = true,
         description = {
             "Repeats the run, campaign, comparison, search for routes or placement that a provenance.json records, and"
-                    + " states for each file next to it whether the new file is byte-identical; the exit code is 1 if any"
-                    + " differs.",
+                    + " states, for each result file in the same directory, whether the new one is byte-identical to it; the exit"
+                    + " code is 1 if any differs.",
             "Relative paths are resolved from the current directory, as in the first run."
         },
         footer = {"", "Example:", "  dronewatch again results/provenance.json"})

@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
         description =
                 "Prints the false-alarm rate of each sensor in a scene, and the number of false alerts per day that"
                         + " result from the scene's alert rule, with its own M-of-N confirmation and with other common"
-                        + " ones. The scene is not run. With --sensor and --per-hour, prints the false-alarm"
+                        + " M-of-N rules. The scene is not run. With --sensor and --per-hour, prints the false-alarm"
                         + " probability that yields the desired number of false alarms for a radar.",
         footer = {
             "",

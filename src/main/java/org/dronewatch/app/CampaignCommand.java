@@ -46,7 +46,7 @@ import tools.jackson.databind.node.ObjectNode;
         name = "campaign",
         mixinStandardHelpOptions = true,
         description =
-                "Runs a scene many times with settings that vary at random, each variant in the same cases; prints and"
+                "Runs a scene many times with settings that vary at random, every variant in the same cases; prints and"
                         + " writes how often the drone is detected and how often an alert comes in time, with 95 %%"
                         + " confidence intervals, and compares the variants case by case.",
         footer = {

@@ -90,7 +90,9 @@ final class CoverageCommand implements Callable<Integer> {
     @Option(
             names = "--cells",
             paramLabel = "N",
-            description = "Points along a side of a plan, 2 to 2000; 100 by default.")
+            description =
+                    "Cells along each side of a plan (--out FILE.png), 2 to 2000; 100 by default. For tables and reports,"
+                            + " use --cell.")
     private Integer cells;
 
     @Mixin

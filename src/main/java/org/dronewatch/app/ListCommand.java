@@ -27,8 +27,9 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "list",
         mixinStandardHelpOptions = true,
-        description = "Lists the packaged scenes and the sensors of the catalogue, one per line; or the kinds that"
-                + " scenes can choose; or one entry of the catalogue with its source and its assumptions.",
+        description =
+                "Lists the packaged scenes and the sensors of the catalogue, one per line; or the kinds of sensor,"
+                        + " flight and model that a scene can use; or one entry of the catalogue with its source and its assumptions.",
         footer = {"", "Examples:", "  dronewatch list spotterrf-c550", "  dronewatch list --json"})
 final class ListCommand implements Callable<Integer> {
     private static final String KIND_LINE = "%-19s %-19s %s; %s%n";

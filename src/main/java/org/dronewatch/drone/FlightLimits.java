@@ -9,7 +9,7 @@ import org.dronewatch.flight.Airframe;
  * @param sink largest rate of descent under power, m/s
  * @param turnRate largest rate at which its course turns at cruise speed, rad/s
  * @param hover whether it can stay in one place
- * @param leastSpeed least speed under power if it cannot hover, m/s; of no meaning if it can
+ * @param leastSpeed minimum speed under power if it cannot hover, m/s; of no meaning if it can
  * @param ceiling greatest height above the surface below it, m
  * @param endurance longest flight under power, s
  * @param glideRatio horizontal distance covered with the motors off per metre of height lost; 0 if it cannot glide

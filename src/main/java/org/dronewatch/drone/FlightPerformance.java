@@ -19,7 +19,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param turnRate largest rate at which the course turns, above 0 and at most 3600 deg/s; typically that at a bank
  *     angle of 45 degrees (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
- * @param leastSpeed least speed under power of a drone that cannot hover, above 0 and at most 400 m/s; typically two
+ * @param leastSpeed minimum speed under power of a drone that cannot hover, above 0 and at most 400 m/s; typically two
  *     thirds of the cruise speed. It is used only in the search for routes, where the cruise speed applies if it is
  *     lower
  * @param ceiling greatest height above the surface below it, above 0 and at most 20,000 m; typically 500 m
@@ -94,7 +94,7 @@ public record FlightPerformance(
         return SettingsForm.with(this, "hover", Optional.of(able));
     }
 
-    /** This performance with another least speed under power of a drone that cannot hover, m/s. */
+    /** This performance with another minimum speed under power of a drone that cannot hover, m/s. */
     public FlightPerformance withLeastSpeed(double metresPerSecond) {
         return SettingsForm.with(this, "leastSpeed", Optional.of(metresPerSecond));
     }

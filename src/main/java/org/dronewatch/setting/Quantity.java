@@ -229,20 +229,23 @@ public enum Quantity {
             return zero + number * (one - zero);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
-                    "'" + text.strip() + "': unit '" + written + "' does not fit: expected a number" + orWithUnit()
-                            + KnownUnits.hint(this, written),
-                    e);
+                    "'" + text.strip() + "': " + mistaken(written) + KnownUnits.hint(this, written), e);
         }
+    }
+
+    private String mistaken(String written) {
+        return unit.isEmpty() ? "expected a number" + orWithUnit() : "'" + written + "' is not a unit of " + inWords();
     }
 
     private String orWithUnit() {
         if (this == RATIO) {
             return " from 0 to 1, or a percentage with %";
         }
-        return unit.isEmpty()
-                ? " without a unit"
-                : " in " + unit + " or another unit of "
-                        + name().toLowerCase(Locale.ROOT).replace('_', ' ');
+        return unit.isEmpty() ? " without a unit" : " in " + unit + " or another unit of " + inWords();
+    }
+
+    private String inWords() {
+        return name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
 
     private static double share(String oneUnit) {

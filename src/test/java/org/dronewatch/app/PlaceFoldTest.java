@@ -29,7 +29,7 @@ class PlaceFoldTest {
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
         String page = Files.readString(directory.resolve("report.html"));
-        assertThat(page).contains("the sensor whose loss is least for its price was left out");
+        assertThat(page).contains("the sensor that contributes least per unit of price was left out");
         List<MatchResult> purchases = PURCHASE.matcher(outcome.out()).results().toList();
         assertThat(purchases).hasSizeGreaterThan(2);
         // The first sensor covers nothing twice, but with the second, something is covered.

@@ -219,7 +219,9 @@ class TerrainSceneTest {
                 "--out",
                 directory.resolve("plan.png").toString());
         assertThat(coverage.code()).as(coverage.err()).isZero();
-        assertThat(coverage.out()).contains("in % of the 400 cells with ground").contains("unknown");
+        assertThat(coverage.out())
+                .contains("in % of the 400 cells above ground")
+                .contains("unknown");
         assertHatched(ImageIO.read(directory.resolve("plan.png").toFile()));
     }
 

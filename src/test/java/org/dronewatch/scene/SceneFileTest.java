@@ -247,7 +247,7 @@ class SceneFileTest {
             value = {
                 "wordl: {}                                      | 2:1: unknown setting 'wordl'; did you mean 'world'?",
                 "run: {duration: 0}                             | 2:17: run.duration: duration 0 s must be above 0",
-                "run: {duration: 1 kg}                          | 2:17: run.duration: '1 kg': unit 'kg' does not fit",
+                "run: {duration: 1 kg}                          | 2:17: run.duration: '1 kg': 'kg' is not a unit of duration",
                 "run: {duration: }                              | 2:16: run.duration: is empty",
                 "run: {seed: 1.5}                               | 2:13: run.seed: '1.5' is not a whole number",
                 "run: [1, 2]                                    | 2:6: run: must not be a list",

@@ -82,7 +82,7 @@ public final class RouteOptions {
             names = MODES,
             paramLabel = "powered,slow,glide",
             description = "Modes in which the drone may fly, one or several in this order: powered, at cruise speed;"
-                    + " slow, below the least radial speed of a radar; glide, with its motors off, once at the end;"
+                    + " slow, below the minimum radial speed of a radar; glide, with its motors off, once at the end;"
                     + " by default, all in which it can fly and that matter for a sensor.")
     private String modes;
 

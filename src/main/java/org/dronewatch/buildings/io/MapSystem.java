@@ -102,7 +102,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
         String code = code(text);
         if (code.isEmpty()) {
             throw new InputException(file + ": " + member + " is '" + PlainText.value(text)
-                    + "' but must end in an EPSG code; state world.buildings.crs instead");
+                    + "' but must end in an EPSG code; set world.buildings.crs instead");
         }
         try {
             return CoordinateReferenceSystem.of(code);

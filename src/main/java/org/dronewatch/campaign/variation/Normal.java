@@ -45,7 +45,7 @@ public record Normal(String mean, String deviation, Optional<String> from, Optio
         Variation.requireOrder("from", low, "to", high);
         if (!Double.isFinite(low) || !Double.isFinite(high)) {
             throw new IllegalArgumentException("mean " + middle + " and deviation " + width
-                    + " give values too large for a number; state smaller ones, or from and to");
+                    + " give values too large for a number; set smaller ones, or from and to");
         }
         // Beyond the mean, probabilities near 1 have no digits left: the other tail, mirrored, has them all.
         boolean isMirrored = low > middle;

@@ -10,7 +10,7 @@ public enum BuyingRule {
     MOST_ADDED,
 
     /**
-     * From its end: at each step, the sensor whose loss is least for its price is left out. Where several sensors must
+     * From its end: at each step, the sensor that contributes least per unit of price is left out. Where several sensors must
      * detect the drone, the first of them are worth nothing by themselves.
      */
     LEAST_LOST,

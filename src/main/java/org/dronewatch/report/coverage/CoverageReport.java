@@ -254,8 +254,8 @@ final class CoverageReport {
                         + " those that are unknown because they, or the line of sight to them, are beyond the known ground.");
         boolean mayHover =
                 summary.coverage().field().courses().stream().anyMatch(course -> course.kind() == Course.Kind.HOVER);
-        items.add("Only the drone '" + inputs.drone() + "' flies, level and at its cruise speed"
-                + (mayHover ? ", or hovers, which counts as one more heading" : "") + "; sensors on positioners "
+        items.add("Only the drone '" + inputs.drone() + "' is assessed, in level flight at its cruise speed"
+                + (mayHover ? " and hovering" : "") + "; sensors on positioners "
                 + (inputs.terms().pointing() == FieldTerms.Turning.CUED
                         ? "have turned to it."
                         : "search for it: probabilities are means over one period of the search."));

@@ -84,9 +84,9 @@ final class FieldPictures {
         return heights(
                 visible.grid(),
                 visible::height,
-                "The least height above the ground from which there is a clear line of sight to a sensor.",
+                "The lowest height above the ground at which there is a clear line of sight to a sensor.",
                 List.of(
-                        "least height above the ground that",
+                        "lowest height above the ground that",
                         "any sensor sees, by the line of sight alone,",
                         "whatever its range and field of view:"));
     }
@@ -96,9 +96,9 @@ final class FieldPictures {
         return heights(
                 detectable.grid(),
                 detectable::height,
-                "The least height above the ground at which a sensor detects the drone.",
+                "The lowest height above the ground at which a sensor detects the drone.",
                 List.of(
-                        "least height above the ground at which",
+                        "lowest height above the ground at which",
                         "a sensor detects the drone '" + inputs.drone() + "',",
                         inputs.headingInWords()
                                 + inputs.within()

@@ -40,7 +40,7 @@ public final class WarningWords {
     private String range() {
         String limit = String.format(
                 Locale.ROOT,
-                "The flights begin %s m away, so a warning of more than %s s cannot be found.",
+                "The flights begin %s m away, so no warning can exceed %s s.",
                 number(warnings.reach()),
                 number(warnings.longest()));
         boolean isShort = warnings.longest() < warnings.response();
@@ -69,7 +69,7 @@ public final class WarningWords {
             }
             rows.add(row);
         }
-        List<String> head = new ArrayList<>(List.of("height", "least warning", "bearings without a warning"));
+        List<String> head = new ArrayList<>(List.of("height", "shortest warning", "bearings without a warning"));
         if (isRequired) {
             head.add("bearings with less than " + number(warnings.response()) + " s");
         }
@@ -107,9 +107,9 @@ public final class WarningWords {
     /** How many bearings are without a warning is stated beside it. */
     private static String inTable(List<Warning> its) {
         LeastWarning least = least(its);
-        return LeastWarning.ofOthers(its, WarningWords::seconds)
-                .map(time -> "none; " + time + " from the others")
-                .orElseGet(() -> (least.isNone() ? "none" : time(least)) + " from " + least.directions());
+        return least.isNone()
+                ? WarningTable.leastAndOthers(its, WarningWords::seconds)
+                : time(least) + " from " + least.directions();
     }
 
     /** The worst warning of all heights, and whether all are in time. */

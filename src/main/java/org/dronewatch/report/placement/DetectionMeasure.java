@@ -9,7 +9,7 @@ import org.dronewatch.report.CompassPoint;
 record DetectionMeasure() implements PlaceMeasure {
     @Override
     public String purpose() {
-        return " against the weakest route";
+        return ", for the weakest route";
     }
 
     @Override

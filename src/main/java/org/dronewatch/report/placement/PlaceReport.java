@@ -137,13 +137,13 @@ final class PlaceReport {
                         + " its price. ";
             case LEAST_LOST ->
                 "The sensors are listed in the order in which to buy them. Since several must detect the drone, the"
-                        + " order was found backwards: at each step, the sensor whose loss is least for its price"
-                        + " was left out. ";
+                        + " order was found backwards: at each step, the sensor that contributes least per unit of"
+                        + " price was left out. ";
             case BEST_LEFT ->
                 "The sensors are listed in the order in which to buy them. Since only the worst case counts, which the"
                         + " first sensors may not improve, the order was found backwards: at each step, the sensor"
-                        + " was left out without which the others are worth most; in a tie, the one that is missed"
-                        + " least over all cases for its price. ";
+                        + " was left out without which the others are worth most; in a tie, the one that"
+                        + " contributes least over all cases per unit of price. ";
         };
     }
 

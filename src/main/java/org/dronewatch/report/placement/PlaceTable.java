@@ -135,7 +135,7 @@ final class PlaceTable {
                 .append(name)
                 .append("', ")
                 .append(measure.text(value)));
-        return Optional.of(text.append(". What counts is the least of these.").toString());
+        return Optional.of(text.append(". What counts is the lowest of these.").toString());
     }
 
     /** {@code 4 sensors}, or {@code sensor} for a single one, after a possessive. */

@@ -66,11 +66,11 @@ final class RouteNotes {
                 survey.routes().stream().anyMatch(route -> route.flown().isPresent());
         return looks.slowest()
                 .filter(sensor -> isFlown)
-                .map(sensor -> "All figures of flights are means over "
+                .map(sensor -> "All flight figures are means over "
                         + RouteStarts.of(inputs.settings().enabledSensors().values())
                                 .size()
                         + " flights of each route, which begin at moments spread over the " + looks.period(sensor)
-                        + " between two looks of '"
+                        + " between successive looks by '"
                         + PlainText.value(sensor) + (isSearching(sensor) ? "' in the same direction." : "'."));
     }
 

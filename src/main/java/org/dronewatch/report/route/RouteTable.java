@@ -125,7 +125,7 @@ public final class RouteTable {
         if (results.proofs().values().stream()
                 .anyMatch(proof -> proof.alertInTime().isPresent())) {
             lines.add("");
-            lines.add("alerts of these flights at least "
+            lines.add("alerts raised on these flights at least "
                     + Numbers.text(results.survey().response()) + " s before the drone arrives:");
             lines.add(text(PROOF, "from", "in time", "99 % interval", "predicted", "agrees"));
             results.proofs().forEach((sector, proof) -> proof.alertInTime()

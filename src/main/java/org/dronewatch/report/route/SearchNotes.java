@@ -66,7 +66,7 @@ final class SearchNotes {
 
     /** What the search does that makes it misjudge routes. */
     private String reason(Misjudgement cause, List<SectorRoute> routes) {
-        String cells = "knows only the middle of each cell";
+        String cells = "assesses each cell only at its middle";
         return switch (cause) {
             case CELLS -> cells;
             case SCANS -> looks.assumption(routes);
@@ -161,7 +161,7 @@ final class SearchNotes {
                     .toList();
             if (!routes.isEmpty()) {
                 notes.add("On " + RouteDirections.routes(routes)
-                        + ", 'search' and 'detected' differ by more than 20 percentage points, but only by detections that"
+                        + ", 'search' and 'detected' differ by more than 20 percentage points, but only because of detections that"
                         + " come too late: the search " + reason(cause, routes) + ".");
             }
         }

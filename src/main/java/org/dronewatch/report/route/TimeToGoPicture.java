@@ -79,7 +79,7 @@ final class TimeToGoPicture {
             sheet.outline(zone, ZONE, 0);
         }
         sheet.title(inputs.scene());
-        sheet.line("least time that the drone '" + inputs.drone() + "'");
+        sheet.line("shortest time that the drone '" + inputs.drone() + "'");
         sheet.line("needs to reach " + inputs.targetInWords() + ",");
         sheet.line("from any height:");
         sheet.space();

@@ -12,7 +12,7 @@ import org.dronewatch.route.exposure.LegMotion;
  * @param sink greatest rate of descent, above 0, m/s; may be infinite
  * @param steepest the greatest slope of the path, height gained over horizontal distance; negative for a glide,
  *     infinite for no limit
- * @param slowest the least speed along the path, 0 to the speed, m/s; 0 for a drone that can hover
+ * @param slowest the minimum speed along the path, 0 to the speed, m/s; 0 for a drone that can hover
  */
 public record RouteMode(String name, double speed, double climb, double sink, double steepest, double slowest) {
     /** The name of flight under power below the cruise speed. */
@@ -34,7 +34,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
         }
         if (!(slowest >= 0.0 && slowest <= speed)) {
             throw new IllegalArgumentException(
-                    "mode " + name + " with a least speed of " + slowest + " m/s: it must be 0 to " + speed + " m/s");
+                    "mode " + name + " with a minimum speed of " + slowest + " m/s: it must be 0 to " + speed + " m/s");
         }
     }
 
@@ -106,7 +106,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
 
     /**
      * The shortest time for a straight leg, s; infinite where the leg is too steep. A leg that climbs or descends
-     * faster than the limits allow at this speed is flown more slowly, but not below the least speed.
+     * faster than the limits allow at this speed is flown more slowly, but not below the minimum speed.
      *
      * @param horizontal horizontal length of the leg, m
      * @param rise height gained from its beginning to its end, m

@@ -89,7 +89,7 @@ public record FalseAlarms(
                 lines.add(entry + " makes no difference: whenever it applies, so does weather." + stronger.getAsInt()
                         + ", whose rate is at least as high");
             } else if (weather.get(i).isUnconditional()) {
-                lines.add(entry + " has no conditions, so it always applies and perHour never does: state rain,"
+                lines.add(entry + " has no conditions, so it always applies and perHour never does: set rain,"
                         + " wind, visibility or illuminance");
             }
         }

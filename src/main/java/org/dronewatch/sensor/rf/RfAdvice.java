@@ -41,7 +41,7 @@ final class RfAdvice {
                 .filter(dwell -> dwell.time() * dwell.count() * receiver.rate() > 1.0 + ROUNDING)
                 .map(dwell -> dwell.count() + " x " + Quantity.DURATION.inBrief(dwell.time())
                         + " s of dwell is longer than a look of " + Quantity.DURATION.inBrief(1.0 / receiver.rate())
-                        + " s: state a rate of at most " + AdvisedLimit.inWords(1.0 / (dwell.time() * dwell.count()))
+                        + " s: set a rate of at most " + AdvisedLimit.inWords(1.0 / (dwell.time() * dwell.count()))
                         + " Hz");
     }
 

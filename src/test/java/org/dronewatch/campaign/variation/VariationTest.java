@@ -129,7 +129,7 @@ class VariationTest {
     @Test
     void aNormalDistributionThatLeavesTheRangeOfNumbersIsRefused() {
         assertThatThrownBy(() -> normal(Normal.of("1e308", "1e308")).value(Quantity.NUMBER, 0.5))
-                .hasMessage("mean 1.0E308 and deviation 1.0E308 give values too large for a number; state smaller"
+                .hasMessage("mean 1.0E308 and deviation 1.0E308 give values too large for a number; set smaller"
                         + " ones, or from and to");
     }
 

@@ -27,6 +27,7 @@ import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.analysis.survey.GapMap;
+import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.geo.Origin;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.report.coverage.table.CoverageInputs;
@@ -140,9 +141,7 @@ class CoverageReportTest {
     /** Hovering is one of the courses from which the best and the worst are chosen. */
     @Test
     void theReportSaysThatTheDroneMayHover() {
-        assertThat(text)
-                .contains("flies, level and at its cruise speed, or hovers, which counts as one more heading; sensors"
-                        + " on");
+        assertThat(text).contains("is assessed, in level flight at its cruise speed and hovering; sensors on");
     }
 
     @Test
@@ -154,6 +153,34 @@ class CoverageReportTest {
                 .contains("the loss is greatest without 'round'")
                 .contains("'short' adds nothing");
         assertThat(text).contains("Without 'round', at least half of the coverage is lost at 2 to 60 m.");
+    }
+
+    /** Of 10,000 known cells, one in a thousand is 10. */
+    @Test
+    void theLossOfHardlyAnyCoverageIsNotMentioned() {
+        assertThat(new Losses(covered(11)).html()).contains("Without 'round', at least half of the coverage is lost");
+        assertThat(new Losses(covered(10)).html()).doesNotContain("at least half of the coverage is lost");
+    }
+
+    /** A summary in which only one sensor covers some of 10,000 cells at each height. */
+    private static FieldSummary covered(int cells) {
+        FieldSummary summary = found.summary();
+        return new FieldSummary(
+                summary.coverage(),
+                summary.heights().stream()
+                        .map(one -> new HeightSummary(
+                                one.height(),
+                                10_000,
+                                10_000,
+                                0,
+                                cells,
+                                one.volume(),
+                                one.causes(),
+                                one.counts(),
+                                Map.of("round", cells, "short", 0),
+                                Map.of("round", cells, "short", 0),
+                                one.gap()))
+                        .toList());
     }
 
     /** Without a required response there is no ring; with one, its radius is that of its time. */

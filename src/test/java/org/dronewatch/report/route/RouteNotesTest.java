@@ -88,12 +88,12 @@ class RouteNotesTest extends RouteSamples {
                                 + " add lower --heights");
         assertThat(warning(cells))
                 .endsWith(
-                        "because the search knows only the middle of each cell; try --cell 10m, which may also show less"
+                        "because the search assesses each cell only at its middle; try --cell 10m, which may also show less"
                                 + " exposed routes: they cannot be ruled out; to look for them less than 30 m above the ground,"
                                 + " add lower --heights");
         assertThat(warning(both))
                 .contains(
-                        "because the search knows only the middle of each cell, and assumes that 'slow' may look at any"
+                        "because the search assesses each cell only at its middle, and assumes that 'slow' may look at any"
                                 + " moment, whereas it looks only every 5 s; try --cell 10m, which");
     }
 
@@ -105,7 +105,7 @@ class RouteNotesTest extends RouteSamples {
         SectorRoute cells = bounded(route(Map.of("slow", 0.5), 20.0, List.of(List.of(look(14.0, 0.5)))));
 
         assertThat(warning(scan)).endsWith("whereas it looks only every 5 s");
-        assertThat(warning(cells)).endsWith("because the search knows only the middle of each cell; try --cell 10m");
+        assertThat(warning(cells)).endsWith("because the search assesses each cell only at its middle; try --cell 10m");
     }
 
     private static SectorRoute bounded(SectorRoute route) {
@@ -169,9 +169,7 @@ class RouteNotesTest extends RouteSamples {
                 route(Map.of("slow", 20.0), 0.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
 
         assertThat(more.inTime(15.0)).isCloseTo(0.5, within(1e-6));
-        assertThat(warning(more))
-                .contains("the middle of each cell; try --cell 10m")
-                .doesNotContain("slow");
+        assertThat(warning(more)).contains("only at its middle; try --cell 10m").doesNotContain("slow");
     }
 
     /** A slower one hardly ever detects the drone, so that it makes no difference when it looks. */
@@ -266,11 +264,11 @@ class RouteNotesTest extends RouteSamples {
         assertThat(new RouteNotes(inputs).notes(results(late)))
                 .contains(
                         "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"
-                                + " only by detections that come too late: the search knows only the middle of each cell.");
+                                + " only because of detections that come too late: the search assesses each cell only at its middle.");
         assertThat(new RouteNotes(inputs).notes(results(some)))
                 .contains(
                         "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"
-                                + " only by detections that come too late: the search assumes that 'slow' may look at any moment,"
+                                + " only because of detections that come too late: the search assumes that 'slow' may look at any moment,"
                                 + " whereas it looks only every 5 s.");
         SectorRoute alike = route(Map.of("slow", 3.0), 3.0, List.of(List.of(look(10.0, 3.0))));
         assertThat(new RouteNotes(inputs).notes(results(alike))).noneMatch(note -> note.contains("too late"));

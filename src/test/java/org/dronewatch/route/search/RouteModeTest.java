@@ -45,6 +45,6 @@ class RouteModeTest {
     void theLeastSpeedIsAtMostTheSpeed() {
         assertThatThrownBy(() -> new RouteMode("powered", 10.0, 1.0, 1.0, Double.POSITIVE_INFINITY, 11.0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("mode powered with a least speed of 11.0 m/s: it must be 0 to 10.0 m/s");
+                .hasMessage("mode powered with a minimum speed of 11.0 m/s: it must be 0 to 10.0 m/s");
     }
 }

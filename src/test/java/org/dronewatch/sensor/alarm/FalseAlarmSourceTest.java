@@ -382,7 +382,7 @@ class FalseAlarmSourceTest {
         FalseAlarms always = FalseAlarms.of(5.0).withWeather(List.of(WeatherRate.of(0.0)));
         assertThat(always.advice())
                 .containsExactly("falseAlarms.weather.0 has no conditions, so it always applies and perHour never"
-                        + " does: state rain, wind, visibility or illuminance");
+                        + " does: set rain, wind, visibility or illuminance");
         assertThat(always.withWeather(List.of(
                                 WeatherRate.of(12.0).withRain(2.0),
                                 WeatherRate.of(30.0).withRain(1.0)))

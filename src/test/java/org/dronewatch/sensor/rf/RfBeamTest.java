@@ -143,11 +143,11 @@ class RfBeamTest {
                 SettingsForm.with(ROUND, "rate", 4.0).withDwell(Dwell.of(0.05).withCount(5));
         assertThat(dwelling.advice()).isEmpty();
         assertThat(SettingsForm.with(dwelling, "rate", 5.0).advice())
-                .containsExactly("5 x 0.05 s of dwell is longer than a look of 0.2 s: state a rate of at most 4 Hz");
+                .containsExactly("5 x 0.05 s of dwell is longer than a look of 0.2 s: set a rate of at most 4 Hz");
         RfSettings slow = dwelling.withDwell(Dwell.of(0.03).withCount(1000));
         assertThat(slow.advice())
                 .containsExactly(
-                        "1000 x 0.03 s of dwell is longer than a look of 0.25 s: state a rate of at most 0.0333 Hz");
+                        "1000 x 0.03 s of dwell is longer than a look of 0.25 s: set a rate of at most 0.0333 Hz");
         assertThat(SettingsForm.with(slow, "rate", 0.0333).advice()).isEmpty();
         // Another sensor may hand its aim over to an omnidirectional antenna in its place: that is no mistake.
         assertThat(ROUND.withAim(new Aim.Direction(1, 0)).advice()).isEmpty();

@@ -50,7 +50,7 @@ public final class CoverageTable {
         shown.stream().filter(cause -> cause != Cause.DETECTED).forEach(columns::add);
 
         List<String> lines = new ArrayList<>();
-        lines.add(format("in %% of the %,d cells with ground:", coverage.groundCells()));
+        lines.add(format("in %% of the %,d cells above ground:", coverage.groundCells()));
         StringBuilder header = new StringBuilder(format(NAMES, "sensor", "kind"));
         columns.forEach(cause -> header.append("  ").append(name(cause)));
         lines.add(header.toString());

@@ -158,7 +158,7 @@ public final class FieldTable {
         lines.add(line.toString());
         if (detectable.coveredAgain() > 0) {
             lines.add(text(
-                    "in %s %% of it there is a height without detection between two heights with detection;"
+                    "in %s %% of this area, there is a height without detection between two heights with detection;"
                             + " the largest interval is %s",
                     percent(detectable.coveredAgain(), detectable.columns()), metres(detectable.largestGap())));
         }

@@ -15,6 +15,9 @@ public final class Losses {
     /** A height at which this fraction of the coverage is lost belongs to a lost band. */
     private static final double MOST_OF_IT = 0.5;
 
+    /** A coverage of this fraction of the known area or less is too little to mention its loss. */
+    private static final double HARDLY_ANY = 0.001;
+
     private final FieldSummary summary;
     private final List<HeightSummary> heights;
     private final List<String> sensors;
@@ -95,7 +98,8 @@ public final class Losses {
     }
 
     private static boolean isLost(HeightSummary height, String sensor) {
-        return height.covered() > 0 && height.lost().get(sensor) >= MOST_OF_IT * height.covered();
+        return height.covered() > HARDLY_ANY * height.known()
+                && height.lost().get(sensor) >= MOST_OF_IT * height.covered();
     }
 
     /** The failure that costs most, for the verdict; empty if none costs anything. */

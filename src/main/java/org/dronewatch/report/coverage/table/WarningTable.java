@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.function.DoubleFunction;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.file.Numbers;
@@ -30,7 +31,7 @@ public final class WarningTable {
                 "a distance of " + Numbers.text(warnings.reach()) + " m",
                 CoverageInputs.withProbability(covered),
                 warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
-        lines.add(text("%10s  %34s  %10s  %14s", "height", "least", "median", "not detected")
+        lines.add(text("%10s  %34s  %10s  %14s", "height", "shortest", "median", "not detected")
                 + (isRequired ? text("  %24s", "less than " + Numbers.text(warnings.response()) + " s") : ""));
         for (double height : heights(warnings)) {
             List<Warning> its = warnings.all().stream()
@@ -57,15 +58,28 @@ public final class WarningTable {
 
     /** The least warning, with its bearings. */
     public static String least(List<Warning> warnings) {
-        LeastWarning least = LeastWarning.of(warnings, WarningTable::seconds);
+        return least(warnings, WarningTable::seconds);
+    }
+
+    private static String least(List<Warning> warnings, DoubleFunction<String> words) {
+        LeastWarning least = LeastWarning.of(warnings, words);
         String time = least.isNone() ? "none" : (least.isFromStart() ? AT_LEAST : "") + least.time();
         return time + " " + least.bearings(warnings);
     }
 
     /** The same, with the least warning from the other bearings if there is none from some. */
     public static String leastAndOthers(List<Warning> warnings) {
-        String least = least(warnings);
-        return LeastWarning.ofOthers(warnings, WarningTable::seconds)
+        return leastAndOthers(warnings, WarningTable::seconds);
+    }
+
+    /**
+     * The same.
+     *
+     * @param words writes a time, s
+     */
+    public static String leastAndOthers(List<Warning> warnings, DoubleFunction<String> words) {
+        String least = least(warnings, words);
+        return LeastWarning.ofOthers(warnings, words)
                 .map(time -> least.startsWith("none except") ? least + ": " + time : least + ", " + time + FROM_OTHERS)
                 .orElse(least);
     }

@@ -143,7 +143,7 @@ public final class WorstPlaces {
     private String why(Gap gap, List<GapEvidence> evidence) {
         List<Map.Entry<Cause, Integer>> causes = new ArrayList<>(gap.causes().entrySet());
         causes.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
-        return "The causes there, for the sensor that comes nearest to a detection: "
+        return (causes.size() == 1 ? "Cause of the gap: " : "Causes of the gap: ")
                 + causes.stream()
                         .map(one -> cause(one.getKey())
                                 + names(one.getKey(), evidence)
@@ -151,7 +151,7 @@ public final class WorstPlaces {
                                         ? ""
                                         : " in " + MissWords.percent(one.getValue(), gap.cells()) + " of the cells"))
                         .collect(Collectors.joining(", "))
-                + ".";
+                + " (for the sensor that comes nearest to detecting the drone).";
     }
 
     private static String cause(Cause cause) {

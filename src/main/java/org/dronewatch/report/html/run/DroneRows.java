@@ -14,8 +14,15 @@ import org.dronewatch.setting.Quantity;
 
 /** The table of all drones and swarms. */
 final class DroneRows {
-    private static final List<String> HEAD =
-            List.of("drone", "model", "speed", "sound", "radar cross-section", "heat", "control", "label");
+    private static final List<String> HEAD = List.of(
+            "drone",
+            "model",
+            "speed",
+            "sound",
+            "radar cross-section",
+            "temperature above background",
+            "control",
+            "label");
 
     private DroneRows() {}
 

@@ -69,7 +69,7 @@ final class Reasons {
                 fractions.weak() > 0 && best.filter(Reasons::isReading).isPresent();
         String distance = measured ? "" : format("; the closest approach was %.0f m", fractions.nearest());
         boolean quiet = !Sightline.hasFieldOfView(missing) && fractions.weak() > 0 && fractions.gliding() > 0;
-        return fractions.inWords()
+        return fractions.inWords("always %s")
                 + distance
                 + (quiet ? "; motors off " + percent(fractions.gliding(), fractions.all()) + " of the time" : "");
     }
@@ -81,7 +81,7 @@ final class Reasons {
                         drones,
                         settings.sensors().get(sensor).description().weakness(),
                         time)
-                .inWords();
+                .inWords("%s from then on");
     }
 
     /** The number of instants of a run at which each reason held. */
@@ -90,11 +90,12 @@ final class Reasons {
             return counts.values().stream().mapToInt(Integer::intValue).sum();
         }
 
-        String inWords() {
+        /** The reasons in words; a single one by a pattern that says when it held. */
+        String inWords(String throughout) {
             List<Map.Entry<String, Integer>> sorted = new ArrayList<>(counts.entrySet());
             sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
             if (sorted.size() == 1) {
-                return "always " + sorted.get(0).getKey();
+                return format(throughout, sorted.get(0).getKey());
             }
             int all = all();
             return sorted.stream()

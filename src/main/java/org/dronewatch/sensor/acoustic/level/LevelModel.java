@@ -109,7 +109,7 @@ public record LevelModel(
 
     @Override
     public String leavesOut() {
-        return "In the level model, levels are calibrated to measurements rather than physical, and depend on neither wind nor"
+        return "In the level model, levels are not physical: they are calibrated to measurements, and take no account of wind or"
                 + " interference.";
     }
 
@@ -123,7 +123,7 @@ public record LevelModel(
                 Condition.WIND,
                 air,
                 Condition.NOISE_SOURCES,
-                "state the source's soundLevel, which the level model needs",
+                "set the source's soundLevel, which the level model needs",
                 Condition.SOUND_POWER_LEVEL,
                 "set the drone's soundLevel, which the level model uses",
                 Condition.SOUND,

@@ -60,7 +60,7 @@ class HtmlReportTest {
                                 + " off 79 % of the time"));
         // The radar loses it at 38 s, when it flies above the radar's field.
         assertThat(texts(document, "td"))
-                .containsSubsequence("radar", "38.0", "327.8", "always out of its field of view");
+                .containsSubsequence("radar", "38.0", "327.8", "out of its field of view from then on");
         assertThat(texts(document, "th")).contains("reason after loss");
         assertThat(texts(document, "figcaption")).containsExactly("a <picture>");
         assertThat(page).contains("data:image/png;base64,AQID");
