@@ -10,15 +10,15 @@ public enum BuyingRule {
     MOST_ADDED,
 
     /**
-     * From its end: at each step, the sensor that contributes least per unit of price is left out. Where several sensors must
-     * detect the drone, the first of them are worth nothing by themselves.
+     * From its end: at each step, the sensor that contributes least per unit of price is left out. Where several sensors
+     * must detect the drone, the first of them are worth nothing by themselves.
      */
     LEAST_LOST,
 
     /**
      * From its end: at each step, the sensor is left out without which the worst case is best; in a tie, the one that
-     * is missed least over all cases for its price. Where only the worst case counts, the first sensors often do not
-     * improve it.
+     * contributes least over all cases per unit of price. Where only the worst case counts, the first sensors often do
+     * not improve it.
      */
     BEST_LEFT;
 

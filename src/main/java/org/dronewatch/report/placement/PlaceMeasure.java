@@ -16,7 +16,7 @@ public interface PlaceMeasure {
         };
     }
 
-    /** What the layout is best for, with a leading space or comma: {@code , for the weakest route}; or an empty text. */
+    /** What the layout is best for, such as {@code , for the weakest route}; or an empty text. */
     String purpose();
 
     /** A value as text: {@code 95.8 %}. */
