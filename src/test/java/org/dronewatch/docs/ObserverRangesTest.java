@@ -70,13 +70,13 @@ class ObserverRangesTest {
         assertThat(page)
                 .contains(String.format(
                         Locale.ROOT,
-                        "10 %% of observers by %.0f m, 50 %% by %.0f m, 90 %% by %.0f m",
+                        "10 %% of observers before the drone is within %.0f m, 50 %% within %.0f m, 90 %% within %.0f m",
                         tenth[1],
                         half[1],
                         nine[1]))
                 .contains(String.format(
                         Locale.ROOT,
-                        "by %.1f m at 10 frames a second, by %.1f m at 25, and by %.1f m at 50",
+                        "within %.1f m at 10 frames a second, within %.1f m at 25, and within %.1f m at 50",
                         half[0],
                         half[1],
                         half[2]));

@@ -10,8 +10,8 @@ public enum BuyingRule {
     MOST_ADDED,
 
     /**
-     * From its end: at each step, the sensor that contributes least per unit of price is left out. Where several sensors
-     * must detect the drone, the first of them are worth nothing by themselves.
+     * From its end: at each step, the sensor that contributes least per unit of price is left out. Where several
+     * sensors must detect the drone, the first of them are worth nothing by themselves.
      */
     LEAST_LOST,
 
