@@ -39,7 +39,8 @@ import tools.jackson.databind.node.ObjectNode;
         name = "calibrate",
         mixinStandardHelpOptions = true,
         description =
-                "Fits the threshold of a microphone or a radio receiver, or the pixel count of a camera, to a known range,"
+                "Fits the threshold of a microphone or a radio receiver, or the number of pixels that a camera needs on a"
+                        + " drone, to a known range,"
                         + " the greatest at which the sensor detects a drone with a clear line of sight. Writes the sensor as a"
                         + " file that scenes refer to with 'use'. Air, background noise, rain and light are those of the scene;"
                         + " its models and noise sources are left out. The file states the range and the conditions.",

@@ -21,7 +21,7 @@ import tools.jackson.databind.node.ObjectNode;
 @Command(
         name = "models",
         mixinStandardHelpOptions = true,
-        description = "Generates the packaged models again, and writes them byte for byte as shipped.",
+        description = "Regenerates the packaged models, byte-identical to those shipped.",
         footer = {"", "Example:", "  dronewatch models --out my-models"})
 final class ModelsCommand implements Callable<Integer> {
     @Option(

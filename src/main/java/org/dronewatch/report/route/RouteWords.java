@@ -61,7 +61,7 @@ final class RouteWords {
 
     private String detected(SectorRoute route) {
         if (route.mostExposedTo().isEmpty()) {
-            return "no sensor detects it there";
+            return "no sensor detects it on the way";
         }
         return "the drone is detected, " + by(route) + ", with a probability of "
                 + RouteNumbers.percent(route.detection())

@@ -109,8 +109,8 @@ public record LevelModel(
 
     @Override
     public String leavesOut() {
-        return "In the level model, levels are not physical: they are calibrated to measurements, and take no account of wind or"
-                + " interference.";
+        return "The level model is empirical: its levels are fitted to measurements, are no sound pressure levels, and take no"
+                + " account of wind or interference.";
     }
 
     @Override
