@@ -134,8 +134,8 @@ class CoverageReportTest {
         assertThat(text)
                 .contains("hidden by a building (building.obj)")
                 .contains("hidden by terrain (terrain.obj)")
-                .contains("out of range (limit: 150 m)")
-                .contains("out of range (limit: 40 m)");
+                .contains("out of range (beyond 150 m)")
+                .contains("out of range (beyond 40 m)");
     }
 
     /** Hovering is one of the courses from which the best and the worst are chosen. */

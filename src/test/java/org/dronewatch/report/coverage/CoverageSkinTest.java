@@ -422,7 +422,7 @@ class CoverageSkinTest {
         CellEvidence evidence =
                 new CellExaminer(all, site.stage()).examine(2, column, row).orElseThrow();
         CellWords words = new CellWords(all, site.settings(), 2, column, row);
-        assertThat(words.reason(1, evidence.sensors().get(1))).isEqualTo("out of range (limit: 40 m)");
+        assertThat(words.reason(1, evidence.sensors().get(1))).isEqualTo("out of range (beyond 40 m)");
         assertThat(words.probability(1)).isEqualTo("0");
         assertThat(words.cause(1)).isEqualTo("out of range");
     }

@@ -9,12 +9,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dronewatch.analysis.survey.GapEvidence;
 import org.dronewatch.report.html.BlockerWords;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.sensor.Outline;
+import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /** Describes why a sensor does not cover a gap: what hides the drone, and by how much its signal is too weak. */
@@ -75,7 +77,8 @@ final class MissWords {
                 yield CoverageTable.name(cause) + (names.isEmpty() ? "" : " (" + names + ")");
             }
             case TOO_WEAK -> weak();
-            case OUT_OF_RANGE, TOO_SLOW, TOO_FAST -> CoverageTable.name(cause) + limits(cause);
+            case OUT_OF_RANGE -> CoverageTable.name(cause) + ranges();
+            case TOO_SLOW, TOO_FAST -> CoverageTable.name(cause) + speed(cause);
             case DETECTED -> CoverageTable.TOO_RARELY + probabilities();
             case UNKNOWN -> "unknown: the line of sight leaves the known ground";
             case OUT_OF_VIEW, SILENT -> CoverageTable.name(cause);
@@ -132,12 +135,31 @@ final class MissWords {
                 .orElse(Double.NEGATIVE_INFINITY);
     }
 
-    private String limits(Cause cause) {
-        String unit = cause == Cause.OUT_OF_RANGE ? " m" : " m/s";
-        Optional<Double> limit = with(cause).stream()
-                .flatMap(one -> one.assessment().limit().stream().boxed())
-                .findFirst();
-        return limit.map(value -> " (limit: " + number(value) + unit + ")").orElse("");
+    private String speed(Cause cause) {
+        return limits(cause)
+                .findFirst()
+                .map(value -> " (limit: " + number(value) + " m/s)")
+                .orElse("");
+    }
+
+    /** A drone may be too near or too far; some are too near, and some too far. */
+    private String ranges() {
+        double least = Outlined.outline(settings)
+                .filter(Outline.Sector.class::isInstance)
+                .map(Outline.Sector.class::cast)
+                .map(Outline.Sector::minRange)
+                .orElse(Double.NaN);
+        String words = limits(Cause.OUT_OF_RANGE)
+                .distinct()
+                .sorted()
+                .map(value -> (value.equals(least) ? "nearer than " : "beyond ") + number(value) + " m")
+                .collect(Collectors.joining(", or "));
+        return words.isEmpty() ? "" : " (" + words + ")";
+    }
+
+    private Stream<Double> limits(Cause cause) {
+        return with(cause).stream()
+                .flatMap(one -> one.assessment().limit().stream().boxed());
     }
 
     private String probabilities() {

@@ -87,7 +87,7 @@ class MissWordsTest {
                 weak(-2.04),
                 weak(-9.0));
         assertThat(words.inWords())
-                .isEqualTo("more than 99 %: out of range (limit: 150 m); less than 1 %: "
+                .isEqualTo("more than 99 %: out of range (beyond 150 m); less than 1 %: "
                         + radar.description().weakness()
                         + " by 2.0 to 9.0 dB (at best 11.0 dB, threshold 13 dB)");
         assertThat(words.bestMargin()).isCloseTo(-2.04, within(1e-9));
@@ -126,5 +126,17 @@ class MissWordsTest {
             plain.add(words(Map.of(cause, 1)).inWords());
         }
         assertThat(plain).containsExactly("out of view", "no recognised emission", "hidden by terrain");
+    }
+
+    @Test
+    void aDroneMayBeTooNearOrTooFar() {
+        Signal none = Signal.certain(Double.NEGATIVE_INFINITY, "dB", 13.0);
+        assertThat(words(
+                                Map.of(Cause.OUT_OF_RANGE, 3),
+                                examined(none, Explanation.beyond(Cause.OUT_OF_RANGE, 150.0)),
+                                examined(none, Explanation.beyond(Cause.OUT_OF_RANGE, 1.0)),
+                                examined(none, Explanation.beyond(Cause.OUT_OF_RANGE, 150.0)))
+                        .inWords())
+                .isEqualTo("out of range (nearer than 1 m, or beyond 150 m)");
     }
 }
