@@ -34,21 +34,25 @@ class RouteSlowTest {
     @TempDir
     private Path directory;
 
-    private Outcome search(String... options) throws IOException {
+    private Outcome search(int cell, String... options) throws IOException {
         Path site = directory.resolve("site.yaml");
         Files.writeString(
                 directory.resolve("plain.obj"), "v -400 -400 0\nv 400 -400 0\nv 400 400 0\nv -400 400 0\nf 1 2 3 4\n");
         Files.writeString(site, SITE);
         String[] all = new String[options.length + 5];
         System.arraycopy(
-                new String[] {"route", site.toString(), "--side=700", "--cell=25", "--heights=5,20,40"}, 0, all, 0, 5);
+                new String[] {"route", site.toString(), "--side=700", "--cell=" + cell, "--heights=5,20,40"},
+                0,
+                all,
+                0,
+                5);
         System.arraycopy(options, 0, all, 5, options.length);
         return Program.run(all);
     }
 
     @Test
     void itSlowsDownWhereTheRadarSeesIt() throws IOException {
-        Outcome slow = search("--proof=10", "--out=" + directory.resolve("slow"));
+        Outcome slow = search(25, "--proof=10", "--out=" + directory.resolve("slow"));
 
         assertThat(slow.code()).as(slow.err()).isZero();
         assertThat(slow.out())
@@ -94,7 +98,7 @@ class RouteSlowTest {
 
     @Test
     void atFullSpeedItIsDetected() throws IOException {
-        Outcome fast = search("--modes=powered");
+        Outcome fast = search(50, "--modes=powered");
 
         assertThat(fast.code()).as(fast.err()).isZero();
         assertThat(fast.out())
@@ -105,8 +109,8 @@ class RouteSlowTest {
 
     @Test
     void aModeThatMakesNoDifferenceIsRefusedInOneLine() throws IOException {
-        Outcome seen = search("--modes=powered,slow", "--set=sensors.tower.minSpeed=0 m/s");
-        Outcome winged = search("--modes=slow", "--set=drones.intruder.airframe=fixed-wing");
+        Outcome seen = search(25, "--modes=powered,slow", "--set=sensors.tower.minSpeed=0 m/s");
+        Outcome winged = search(25, "--modes=slow", "--set=drones.intruder.airframe=fixed-wing");
 
         assertThat(seen.code()).isEqualTo(2);
         assertThat(seen.err())
