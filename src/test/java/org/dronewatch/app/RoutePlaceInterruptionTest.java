@@ -31,8 +31,8 @@ import tools.jackson.databind.json.JsonMapper;
 /** A request to end while the routes past the best layout are searched for and flown: the layout, whole. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
 class RoutePlaceInterruptionTest {
-    private static final String PLACEMENT =
-            "scene: site.yaml\nobjective: weakest-route\nbudget: 3\n" + RadarCandidates.FOUR + RadarCandidates.AIR;
+    private static final String PLACEMENT = "scene: site.yaml\nobjective: weakest-route\nbudget: 3\n"
+            + RadarCandidates.FOUR + RadarCandidates.COARSE_AIR;
 
     @TempDir
     private Path directory;

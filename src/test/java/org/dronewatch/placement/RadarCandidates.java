@@ -1,5 +1,7 @@
 package org.dronewatch.placement;
 
+import org.dronewatch.LongForm;
+
 /**
  * Candidates of placement files round the zone of {@link org.dronewatch.analysis.field.FieldSite}: radars of two kinds
  * that see all around, but not through boxes; how likely they detect the drone depends on its range.
@@ -28,7 +30,14 @@ public final class RadarCandidates {
             CANDIDATES.formatted("[0, 90, 4], [0, -95, 4], [-55, 10, 17]", "[0, 0, 4], [60, 0, 4], [-50, -50, 4]");
 
     /** The airspace in which routes past them are compared. */
-    public static final String AIR = "air: {side: 240 m, cell: 40 m, heights: [30 m]}\n";
+    public static final String AIR = air(40);
+
+    /** The same in larger cells, except in the long form: a search takes a third of the time. */
+    public static final String COARSE_AIR = air(LongForm.count(60, 40));
 
     private RadarCandidates() {}
+
+    private static String air(int cell) {
+        return "air: {side: 240 m, cell: %d m, heights: [30 m]}\n".formatted(cell);
+    }
 }

@@ -49,16 +49,15 @@ class PlaceMomentsTest {
     private static final String STOPPED = "stopped";
 
     /** How many moments are tried besides the first and the last ones. */
-    private static final int MOMENTS = LongForm.count(5, 1000);
+    private static final int MOMENTS = LongForm.count(4, 1000);
 
-    private static final int FIRST_AND_LAST = LongForm.count(3, 5);
+    private static final int FIRST_AND_LAST = LongForm.count(2, 5);
 
     /** Files are written at one of so many moments. */
     private static final int WRITTEN = LongForm.count(4, 1);
 
-    /** Larger cells than elsewhere, except in the long form: a search takes a third of the time. */
     private static final String ROUTE_CANDIDATES = "scene: site.yaml\nobjective: weakest-route\nbudget: 4\n"
-            + RadarCandidates.FOUR + coarser(RadarCandidates.AIR, "cell: 40 m", "cell: 60 m");
+            + RadarCandidates.FOUR + RadarCandidates.COARSE_AIR;
 
     @TempDir
     private Path directory;
