@@ -59,6 +59,8 @@ class ExcessSurveyTest {
 
     private static FieldProbe each;
     private static FieldColumns columns;
+    private static List<Integer> reported;
+    private static SurveyProgress progress;
     private static ExcessMap map;
     private static SensorLayer layer;
 
@@ -67,7 +69,9 @@ class ExcessSurveyTest {
         FieldSite site = FieldSite.in(directory, EAR);
         each = ear(site, List.of(new Course(Course.Kind.HOVER, 0.0, new Position(0, 0, 0), Optional.empty())));
         columns = FieldColumns.of(each.world(), GRID);
-        map = survey(2);
+        reported = Collections.synchronizedList(new ArrayList<>());
+        progress = SurveyProgress.of(each, columns, reported::add);
+        map = survey(2, progress);
         layer = layer(map, 2);
     }
 
@@ -82,8 +86,7 @@ class ExcessSurveyTest {
                 FieldTerms.ONE_LOOK);
     }
 
-    private static ExcessMap survey(int threads) {
-        SurveyProgress progress = SurveyProgress.of(each, columns, cells -> {});
+    private static ExcessMap survey(int threads, SurveyProgress progress) {
         try (Workers workers = new Workers(threads)) {
             return workers.call(() -> ExcessSurvey.of(each, columns, PLACES, progress))
                     .orElseThrow();
@@ -269,7 +272,7 @@ class ExcessSurveyTest {
 
     @Test
     void theSameForAnyNumberOfThreads() {
-        ExcessMap alone = survey(1);
+        ExcessMap alone = survey(1, SurveyProgress.of(each, columns, cells -> {}));
         assertThat(alone.error()).isEqualTo(map.error());
         SensorLayer other = layer(alone, 3);
         for (int height = 0; height < columns.levels(); height++) {
@@ -408,11 +411,6 @@ class ExcessSurveyTest {
     /** All of them together count as much as the cells do; most are reported while they are traced. */
     @Test
     void tracedPositionsAreReportedAsTheyAreTraced() {
-        List<Integer> reported = Collections.synchronizedList(new ArrayList<>());
-        SurveyProgress progress = SurveyProgress.of(each, columns, reported::add);
-        try (Workers workers = new Workers(2)) {
-            workers.call(() -> ExcessSurvey.of(each, columns, PLACES, progress));
-        }
         int all = GRID.cells() * GRID.heights().size();
         int traced = reported.stream().mapToInt(Integer::intValue).sum();
         assertThat(reported).hasSizeBetween(PLACES - 10, PLACES).allMatch(cells -> cells <= 2 * all / PLACES);
