@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.DoubleToIntFunction;
 import java.util.stream.Stream;
+import org.dronewatch.LongForm;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -57,7 +58,9 @@ class CameraBoundsTest {
                 Arguments.of("long lens, recognition", LONG_LENS.withDetection(recognition), CROSS),
                 Arguments.of(
                         "longer lens, more pixels than are examined",
-                        LONG_LENS.withResolution(2400, 1350).withDetection(new PixelThreshold(20_000.0)),
+                        LONG_LENS
+                                .withResolution(LongForm.count(1680, 2400), LongForm.count(945, 1350))
+                                .withDetection(new PixelThreshold(LongForm.count(9_800, 20_000))),
                         CROSS),
                 Arguments.of("rolled", CAMERA.withRoll(0.7), CROSS),
                 Arguments.of("task", CAMERA.withDetection(TargetTask.DEFAULT), CROSS),
