@@ -44,12 +44,15 @@ class FieldFrequencyTest {
     private static final int FEWER = 500;
 
     /** Cells among which those are looked for that are not certain. */
-    private static final int MOST_TRIES = 200_000;
+    private static final int MOST_TRIES = LongForm.count(20_000, 200_000);
 
     /** The quantile of the normal distribution for 99 %. */
     private static final double Z = 2.575829;
 
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 380, 20, List.of(12.0, 40.0));
+
+    /** The same in larger cells, except in the long form. */
+    private static final FieldGrid COARSE = new FieldGrid(0.7, 0.3, 380, LongForm.count(38, 20), GRID.heights());
 
     /** Two radars whose echoes fluctuate, one with a notch for clutter. */
     private static final String SENSORS =
@@ -196,7 +199,8 @@ class FieldFrequencyTest {
         int cells = LongForm.count(inTheBuild, MANY);
         assumeTrue(cells > 0);
         FieldTerms terms = seconds == 0.0 ? FieldTerms.ONE_LOOK : FieldTerms.ONE_LOOK.withWithin(seconds);
-        PackagedSite real = PackagedSite.of(scene, drone, side, cell, heights, terms, sensor, null);
+        PackagedSite real =
+                PackagedSite.of(scene, drone, side, LongForm.IS_ON ? cell : 2.0 * cell, heights, terms, sensor, null);
         long seed = LongForm.seed(27);
         System.out.println("FieldFrequencyTest: seed " + seed);
         Random random = new Random(seed);
@@ -244,13 +248,13 @@ class FieldFrequencyTest {
     /** The noise of frames decides. */
     @Test
     void aProgramThatFindsSpotsDetectsAsOftenAsTheFieldSays() {
-        assertFrequencies(thermal, new int[] {0}, 0.0, LongForm.count(5, FEWER));
+        assertFrequencies(thermal, COARSE, new int[] {0}, 0.0, LongForm.count(5, FEWER));
     }
 
     /** Chance decides once whether the observer of a thermal picture is able to, and then when. */
     @Test
     void theObserverOfAThermalCameraDetectsAsOftenAsTheFieldSays() {
-        assertFrequencies(thermal, new int[] {1}, 3.0, LongForm.count(3, FEWER));
+        assertFrequencies(thermal, COARSE, new int[] {1}, 3.0, LongForm.count(3, FEWER));
     }
 
     /** Its ends are where a normal test of a probability just rejects the frequency (score test). */
