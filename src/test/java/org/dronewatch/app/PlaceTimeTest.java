@@ -32,7 +32,8 @@ class PlaceTimeTest {
         Files.writeString(
                 file,
                 Files.readString(file)
-                        .replace("[-135, 0], to: [165, 0], every: 50 m", "[-135, 0], to: [125, 0], every: 5 m"));
+                        .replace("[-135, 0], to: [165, 0], every: 50 m", "[-135, 0], to: [125, 0], every: 5 m")
+                        .replace("cell: 80 m, heights: [10 m, 40 m]", "cell: 100 m, heights: [40 m]"));
         Path scene = directory.resolve("site.yaml");
         Files.writeString(scene, Files.readString(scene) + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
         return run(List.of("place", file.toString(), "--quiet", "--gap=0"), more);
