@@ -161,7 +161,7 @@ class MapCoordinatesTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "urn:ogc:def:crs:ESRI::102100 | map: crs is 'urn:ogc:def:crs:ESRI::102100' but must end in an EPSG code; state"
+                "urn:ogc:def:crs:ESRI::102100 | map: crs is 'urn:ogc:def:crs:ESRI::102100' but must end in an EPSG code; set"
                         + " world.buildings.crs instead",
                 "EPSG:1111 | map: crs: coordinate reference system 'EPSG:1111' is not known: give the EPSG code of the"
                         + " system that the file uses",
