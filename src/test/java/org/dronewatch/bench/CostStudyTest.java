@@ -10,27 +10,19 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/** The study of costs by a clock for which everything takes a second: what it measures, not how long that takes. */
+/** The study of costs, with hardly any time to measure: what it measures, not how long that takes. */
 class CostStudyTest {
-    private static List<CostCurves> all;
-    private static List<String> told;
-
-    @BeforeAll
-    static void study() {
-        TriangleMesh drone = new ModelLoader(Path.of(""))
-                .load(ModelSettings.packaged("quadrotor.obj"))
-                .mesh();
-        AtomicLong second = new AtomicLong();
-        Stopwatch everySecond = new Stopwatch(0, 1, () -> second.getAndAdd(1_000_000_000L));
-        told = new ArrayList<>();
-        all = new CostStudy(drone, 3000, everySecond, told::add).run();
-    }
+    private static final Stopwatch HASTY = new Stopwatch(0, 1, System::nanoTime);
 
     @Test
     void everyLineHasACostForEachQuantity() {
+        TriangleMesh drone = new ModelLoader(Path.of(""))
+                .load(ModelSettings.packaged("quadrotor.obj"))
+                .mesh();
+        List<String> told = new ArrayList<>();
+        List<CostCurves> all = new CostStudy(drone, 3000, HASTY, told::add).run();
         assertThat(all)
                 .extracting(CostCurves::name)
                 .containsExactly("build", "triangles", "memory", "rays", "sensors", "drones", "threads");
@@ -45,9 +37,12 @@ class CostStudyTest {
         assertThat(told).contains("the tree of 968 triangles", "diffuse rays", "64 sensors", "64 drones", "1 thread");
     }
 
-    /** Rates are numbers of rays. */
+    /** By a clock for which everything takes a second, rates are numbers of rays. */
     @Test
     void whatIsTraced() {
+        AtomicLong second = new AtomicLong();
+        Stopwatch everySecond = new Stopwatch(0, 1, () -> second.getAndAdd(1_000_000_000L));
+        List<CostCurves> all = new TracingStudy(2000, everySecond, next -> {}).run();
         assertThat(all.get(1).lines())
                 .extracting(CostCurves.Line::name, line -> line.y().get(1))
                 .containsExactly(
