@@ -170,8 +170,9 @@ final class FanOrder {
     }
 
     /**
-     * Copies directions, components on the axis after the longest one and on the third, if that on the longest is 1;
-     * and lengths along the longest axis, m.
+     * Copies some segments in their order: their numbers, their directions and their lengths along the longest axis, m.
+     * A direction is scaled to 1 along that axis; its components are those on the next axis (across) and on the third
+     * one (along).
      *
      * @param from the position of the first segment
      */

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor;
 
 /**
- * Which probabilities of detection whoever asks for an assessment tells apart. A sensor may save itself the work of
- * telling others apart.
+ * How finely a probability of detection has to be resolved. A sensor may skip work that would only make a difference
+ * below that.
  *
  * @param high probabilities from this one up to 1, exclusive, count as equal, above 0 and at most 1
  * @param isSideOnly whether those below it count as equal, too: only the side on which a probability lies matters, and

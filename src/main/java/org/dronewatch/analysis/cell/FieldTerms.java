@@ -87,7 +87,7 @@ public record FieldTerms(
         return Math.max(Double.MIN_VALUE, detected);
     }
 
-    /** The probabilities of a look that a field tells apart. */
+    /** How finely a field resolves the probability of a look. */
     public ProbabilityResolution resolution(SensorSettings<?> sensor) {
         boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
         return ProbabilityResolution.upTo(isAnyAlike ? ProbabilityStep.probability(ProbabilityStep.CERTAIN - 1) : 1.0);

@@ -39,11 +39,7 @@ import org.dronewatch.world.World;
  * @param terms on which it counts as detected
  * @param search where the sensor points while it searches; empty if it does not matter
  * @param assessor of the sensor; threads use its siblings
- * @param excess what is interpolated between cells; empty where each is assessed
- * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts,
- *     which is much faster, and never gives too strong a signal
- * @param needed the step that the probability has to reach, if nothing else matters: where the sensor answers the same
- *     on all courses, only whether it reaches it is then certain
+ * @param shortcuts what it may leave out
  */
 public record FieldProbe(
         World world,
@@ -55,10 +51,21 @@ public record FieldProbe(
         FieldTerms terms,
         Optional<SearchPeriod> search,
         Assessor assessor,
-        Optional<ExcessMap> excess,
-        boolean isExactAlone,
-        OptionalInt needed) {
+        Shortcuts shortcuts) {
     private static final double EVEN_CHANCE = 0.5;
+
+    /**
+     * What an assessment may leave out.
+     *
+     * @param excess what is interpolated between cells; empty where each is assessed
+     * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts,
+     *     which is much faster, and never gives too strong a signal
+     * @param needed the step that the probability has to reach, if nothing else matters: where the sensor answers the
+     *     same on all courses, only whether it reaches it is then certain
+     */
+    public record Shortcuts(Optional<ExcessMap> excess, boolean isExactAlone, OptionalInt needed) {
+        static final Shortcuts NONE = new Shortcuts(Optional.empty(), false, OptionalInt.empty());
+    }
 
     /** A probe that assesses each cell, of a sensor that searches if the terms say so. */
     public FieldProbe(
@@ -79,21 +86,21 @@ public record FieldProbe(
                 terms,
                 terms.pointing() == FieldTerms.Turning.SEARCH ? SearchPeriod.of(settings, terms) : Optional.empty(),
                 new Assessor(sensor, settings, world),
-                Optional.empty(),
-                false,
-                OptionalInt.empty());
+                Shortcuts.NONE);
+    }
+
+    private FieldProbe with(Shortcuts others) {
+        return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, others);
     }
 
     /** This probe with what is interpolated between cells. */
     public FieldProbe with(Optional<ExcessMap> map) {
-        return new FieldProbe(
-                world, drone, sensor, settings, seed, courses, terms, search, assessor, map, false, needed);
+        return with(new Shortcuts(map, false, needed()));
     }
 
-    /** This probe with the same number of other courses. */
-    public FieldProbe on(List<Course> others) {
-        return new FieldProbe(
-                world, drone, sensor, settings, seed, others, terms, search, assessor, excess, isExactAlone, needed);
+    /** This probe, for a signal that could be interpolated, with only what arrives along exact paths. */
+    public FieldProbe onExactPaths() {
+        return with(new Shortcuts(Optional.empty(), true, needed()));
     }
 
     /**
@@ -103,28 +110,29 @@ public record FieldProbe(
      * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
      */
     public FieldProbe deciding(int step) {
-        if (settings.as(SoundTracing.class).isEmpty()) {
-            return this;
-        }
-        return new FieldProbe(
-                world,
-                drone,
-                sensor,
-                settings,
-                seed,
-                courses,
-                terms,
-                search,
-                assessor,
-                excess,
-                isExactAlone,
-                OptionalInt.of(step));
+        return settings.as(SoundTracing.class).isEmpty()
+                ? this
+                : with(new Shortcuts(excess(), isExactAlone(), OptionalInt.of(step)));
     }
 
-    /** This probe, for a signal that could be interpolated, with only what arrives along exact paths. */
-    public FieldProbe onExactPaths() {
-        return new FieldProbe(
-                world, drone, sensor, settings, seed, courses, terms, search, assessor, Optional.empty(), true, needed);
+    /** This probe with the same number of other courses. */
+    public FieldProbe on(List<Course> others) {
+        return new FieldProbe(world, drone, sensor, settings, seed, others, terms, search, assessor, shortcuts);
+    }
+
+    /** What is interpolated between cells; empty where each is assessed. */
+    public Optional<ExcessMap> excess() {
+        return shortcuts.excess();
+    }
+
+    /** Whether only what arrives along exact paths counts. */
+    public boolean isExactAlone() {
+        return shortcuts.isExactAlone();
+    }
+
+    /** The step that the probability has to reach, if nothing else matters. */
+    OptionalInt needed() {
+        return shortcuts.needed();
     }
 
     /** An assessor for one thread. */
@@ -176,12 +184,12 @@ public record FieldProbe(
      * interpolated, if this sensor's signals are.
      */
     Assessment assessInSteps(Assessor assessor, Drone there, Optional<Pointing> pointing) {
-        if (isExactAlone) {
+        if (isExactAlone()) {
             Signal heard = assessor.interpolable().orElseThrow().signalOnExactPaths(world, there);
             return assessor.assess(heard, there, pointing);
         }
-        return excess.isPresent()
-                ? new InterpolatedCells(this, excess.get(), assessor).assess(there, pointing)
+        return excess().isPresent()
+                ? new InterpolatedCells(this, excess().get(), assessor).assess(there, pointing)
                 : assessCoarsely(assessor, there, pointing);
     }
 
@@ -192,10 +200,10 @@ public record FieldProbe(
 
     /** If the answer were different on each course, the one that counts would depend on more than a side. */
     private ProbabilityResolution resolution(Assessor assessor, Drone there, Optional<Pointing> pointing) {
-        boolean isSideOnly = needed.isPresent()
+        boolean isSideOnly = needed().isPresent()
                 && search.isEmpty()
                 && (courses.size() == 1 || assessor.isSameAtAllHeadings(there, pointing));
-        return isSideOnly ? terms.sideOf(needed.getAsInt(), settings) : terms.resolution(settings);
+        return isSideOnly ? terms.sideOf(needed().getAsInt(), settings) : terms.resolution(settings);
     }
 
     /**
@@ -206,7 +214,9 @@ public record FieldProbe(
      */
     int steps(double ofALook) {
         return ProbabilityStep.of(
-                excess.isPresent() ? ofALook * terms.probability(1.0, settings) : terms.probability(ofALook, settings));
+                excess().isPresent()
+                        ? ofALook * terms.probability(1.0, settings)
+                        : terms.probability(ofALook, settings));
     }
 
     /**
@@ -214,7 +224,7 @@ public record FieldProbe(
      * known, and is the same for any number of looks.
      */
     private double onTerms(double[] looks, CellPointings pointings, double mean) {
-        if (excess.isPresent()) {
+        if (excess().isPresent()) {
             return mean * terms.probability(1.0, settings);
         }
         return search.flatMap(SearchPeriod::window)

@@ -59,16 +59,18 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
         List<Map<Cause, List<Integer>>> bySensor = new ArrayList<>();
         List<int[]> chosen = new ArrayList<>();
         for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
-            int index = sensor;
             Map<Cause, List<Integer>> byCause = byCause(map, sensor, cells);
             bySensor.add(byCause);
-            byCause.forEach((cause, its) -> {
+            for (Map.Entry<Cause, List<Integer>> one : byCause.entrySet()) {
+                List<Integer> its = one.getValue();
                 SortedSet<Integer> some = new TreeSet<>(spread(its));
-                if (cause == Cause.TOO_WEAK) {
-                    some.addAll(extremes(map, index, its));
+                if (one.getKey() == Cause.TOO_WEAK) {
+                    some.addAll(extremes(map, sensor, its));
                 }
-                some.forEach(cell -> chosen.add(new int[] {index, cell}));
-            });
+                for (int cell : some) {
+                    chosen.add(new int[] {sensor, cell});
+                }
+            }
         }
         Examined[] examined = new Examined[chosen.size()];
         Workers.forEach(

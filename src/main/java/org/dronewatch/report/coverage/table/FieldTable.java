@@ -1,6 +1,7 @@
 package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
@@ -62,24 +63,19 @@ public final class FieldTable {
 
     /** How much of the area is unknown, and why; empty if nothing is. */
     public static Optional<String> unknownInWords(FieldSummary summary) {
-        List<HeightSummary> unknown = summary.heights().stream()
-                .filter(height -> height.unknown() > 0)
-                .sorted(Comparator.comparingInt(HeightSummary::unknown))
-                .toList();
-        if (unknown.isEmpty()) {
+        if (summary.isAllKnown()) {
             return Optional.empty();
         }
-        String least =
-                ofArea(summary.heights().size() > unknown.size() ? Optional.empty() : Optional.of(unknown.get(0)));
-        String most = ofArea(Optional.of(unknown.get(unknown.size() - 1)));
+        Comparator<HeightSummary> byUnknown = Comparator.comparingInt(HeightSummary::unknown);
+        String least = unknown(Collections.min(summary.heights(), byUnknown));
+        String most = unknown(Collections.max(summary.heights(), byUnknown));
         String range =
                 least.equals(most) ? most + " % of the area" : least + " to " + most + " % of the area, by height";
         return Optional.of(range + ": the ground there, or below a line of sight, is not known");
     }
 
-    private static String ofArea(Optional<HeightSummary> height) {
-        return height.map(its -> CoverageTable.percent(its.unknown(), its.cells()))
-                .orElse("0");
+    private static String unknown(HeightSummary height) {
+        return height.unknown() == 0 ? "0" : CoverageTable.percent(height.unknown(), height.cells());
     }
 
     /** On the worst heading, a radar that rejects low radial speeds detects nothing, wherever the drone is. */

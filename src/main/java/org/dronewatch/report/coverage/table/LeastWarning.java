@@ -18,8 +18,6 @@ import org.dronewatch.report.CompassPoint;
  * @param of the number of all flights
  */
 public record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int of) {
-    private static final String EXCEPT = "except from ";
-
     /**
      * The least warning.
      *
@@ -37,8 +35,8 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
     }
 
     /**
-     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more}; empty unless there are
-     * such bearings and others. The unit stays in the line of the number.
+     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more}, or {@code 12.4 s} if it is
+     * the only one; empty unless there are such bearings and others. The unit stays in the line of the number.
      *
      * @param words writes a time, s
      */
@@ -47,7 +45,8 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
                 all.stream().flatMapToDouble(one -> one.time().stream()).summaryStatistics();
         return times.getCount() == 0 || times.getCount() == all.size()
                 ? Optional.empty()
-                : Optional.of(words.apply(times.getMin()).replace(' ', '\u00a0') + " or more");
+                : Optional.of(
+                        words.apply(times.getMin()).replace(' ', '\u00a0') + (times.getCount() == 1 ? "" : " or more"));
     }
 
     private static String words(Warning one, DoubleFunction<String> words) {
@@ -71,19 +70,31 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
         if (count == of && count > 1) {
             return isNone() ? "from any bearing" : "from all bearings";
         }
-        // Where an arc begins: the flight before it is not among them.
-        List<Integer> starts = IntStream.range(0, of)
-                .filter(i -> flights.contains(all.get(i)) && !flights.contains(all.get((i + of - 1) % of)))
-                .boxed()
-                .toList();
-        if (starts.size() > 1) {
+        int[] starts = starts(all);
+        if (starts.length > 1) {
             return "from " + count + " of " + of + " bearings";
         }
-        int first = starts.isEmpty() ? 0 : starts.get(0);
-        // Of an arc of more than half a turn, the two ends would suggest the other arc between them.
-        return 2 * count > of && count < of
-                ? (isNone() ? EXCEPT : "from all bearings but ") + arc(all, first + count, of - count)
+        int first = starts.length == 0 ? 0 : starts[0];
+        return isMostOfACircle(all)
+                ? (isNone() ? "except from " : "from all bearings but ") + arc(all, first + count, of - count)
                 : "from " + arc(all, first, count);
+    }
+
+    /** Whether the drone arrives undetected but from the bearings of an arc, which {@link #bearings} names. */
+    boolean isNoneExcept(List<Warning> all) {
+        return isNone() && isMostOfACircle(all);
+    }
+
+    /** Of an arc of more than half a turn, the two ends would suggest the other arc between them. */
+    private boolean isMostOfACircle(List<Warning> all) {
+        return 2 * flights.size() > of && flights.size() < of && starts(all).length == 1;
+    }
+
+    /** Where arcs begin: the flight before is not among them. */
+    private int[] starts(List<Warning> all) {
+        return IntStream.range(0, of)
+                .filter(i -> flights.contains(all.get(i)) && !flights.contains(all.get((i + of - 1) % of)))
+                .toArray();
     }
 
     private static String arc(List<Warning> all, int first, int count) {

@@ -58,11 +58,10 @@ public final class WarningTable {
 
     /** The least warning, with its bearings. */
     public static String least(List<Warning> warnings) {
-        return least(warnings, WarningTable::seconds);
+        return least(LeastWarning.of(warnings, WarningTable::seconds), warnings);
     }
 
-    private static String least(List<Warning> warnings, DoubleFunction<String> words) {
-        LeastWarning least = LeastWarning.of(warnings, words);
+    private static String least(LeastWarning least, List<Warning> warnings) {
         String time = least.isNone() ? "none" : (least.isFromStart() ? AT_LEAST : "") + least.time();
         return time + " " + least.bearings(warnings);
     }
@@ -78,10 +77,11 @@ public final class WarningTable {
      * @param words writes a time, s
      */
     public static String leastAndOthers(List<Warning> warnings, DoubleFunction<String> words) {
-        String least = least(warnings, words);
+        LeastWarning least = LeastWarning.of(warnings, words);
+        String text = least(least, warnings);
         return LeastWarning.ofOthers(warnings, words)
-                .map(time -> least.startsWith("none except") ? least + ": " + time : least + ", " + time + FROM_OTHERS)
-                .orElse(least);
+                .map(time -> least.isNoneExcept(warnings) ? text + ": " + time : text + ", " + time + FROM_OTHERS)
+                .orElse(text);
     }
 
     /** A time to a tenth. */

@@ -14,11 +14,25 @@ class LookProbabilityTest {
     private static final double RADIUS = 0.4;
     private static final int LOOKS = 1000;
 
+    private static long newSeed() {
+        long seed = LongForm.seed(System.nanoTime());
+        System.out.println("LookProbabilityTest: seed " + seed);
+        return seed;
+    }
+
+    private static Position drone(SplittableRandom random) {
+        return new Position(8 * random.nextDouble() - 4, 2.5 + 3 * random.nextDouble(), -3);
+    }
+
+    /** A level of which up to 2.2 dB are left at the sensor on the straight way. */
+    private static double level(LevelModel model, Position drone, SplittableRandom random) {
+        return 0.2 + model.attenuation() * drone.distance(DecisiveRaysTest.SENSOR) + 2 * random.nextDouble();
+    }
+
     /** The differences are less than 4.5 standard deviations, and so is their sum over all places. */
     @Test
     void wholeLooksDetectAsOftenAsSingleRaysSay() {
-        long seed = LongForm.seed(System.nanoTime());
-        System.out.println("LookProbabilityTest: seed " + seed);
+        long seed = newSeed();
         SplittableRandom random = new SplittableRandom(seed);
         World room = DecisiveRaysTest.room();
         double sum = 0.0;
@@ -31,9 +45,8 @@ class LookProbabilityTest {
                     .withTransmittedRays(1 + random.nextInt(3))
                     .withAttenuation(0.05 + 0.4 * random.nextDouble())
                     .withLimits(1 + random.nextInt(2), 200_000);
-            Position drone = new Position(8 * random.nextDouble() - 4, 2.5 + 3 * random.nextDouble(), -3);
-            double length = drone.distance(DecisiveRaysTest.SENSOR);
-            double level = 0.2 + model.attenuation() * length + 2 * random.nextDouble();
+            Position drone = drone(random);
+            double level = level(model, drone, random);
             LevelTracer tracer = new LevelTracer(model, DecisiveRaysTest.SENSOR, RADIUS, 0.0, room);
             int hits = 0;
             for (int look = 0; look < LOOKS; look++) {
@@ -65,8 +78,7 @@ class LookProbabilityTest {
      */
     @Test
     void theSideIsThatOfTheAccurateEstimate() {
-        long seed = LongForm.seed(System.nanoTime());
-        System.out.println("LookProbabilityTest: seed " + seed);
+        long seed = newSeed();
         SplittableRandom random = new SplittableRandom(seed);
         World room = DecisiveRaysTest.room();
         int uncertain = 0;
@@ -77,9 +89,8 @@ class LookProbabilityTest {
                     .withRays(1 + random.nextInt(20), 1 + random.nextInt(6))
                     .withAttenuation(0.05 + 0.4 * random.nextDouble())
                     .withLimits(1 + random.nextInt(2), 200_000);
-            Position drone = new Position(8 * random.nextDouble() - 4, 2.5 + 3 * random.nextDouble(), -3);
-            double level =
-                    0.2 + model.attenuation() * drone.distance(DecisiveRaysTest.SENSOR) + 2 * random.nextDouble();
+            Position drone = drone(random);
+            double level = level(model, drone, random);
             LookProbability probability = new LookProbability(model, DecisiveRaysTest.SENSOR, RADIUS, 0.0, room);
             LookProbability.Estimate accurate = probability.of(drone, level, random);
             double away = (random.nextBoolean() ? 6.0 : -6.0) * accurate.error();
