@@ -35,8 +35,8 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
     }
 
     /**
-     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more}, or {@code 12.4 s} if it is
-     * the only one; empty unless there are such bearings and others. The unit stays in the line of the number.
+     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more}, or {@code 12.4 s} if it
+     * is the only one; empty unless there are such bearings and others. The unit stays in the line of the number.
      *
      * @param words writes a time, s
      */
