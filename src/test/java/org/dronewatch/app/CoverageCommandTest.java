@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.dronewatch.analysis.field.FieldSite;
@@ -277,6 +278,31 @@ class CoverageCommandTest {
         Outcome wrong = Program.run(command.toArray(String[]::new));
         assertThat(wrong.code()).isEqualTo(2);
         assertThat(wrong.complaints()).singleElement().asString().startsWith(message);
+    }
+
+    /** Around a church nothing is known: neither the table nor the report speaks of the whole area. */
+    @Test
+    void howMuchIsUnknownIsStated() throws IOException {
+        Path church = directory.resolve("church");
+        Outcome outcome = Program.run(
+                "coverage",
+                "closed-space",
+                "--side=90",
+                "--cell=5",
+                "--heights=2",
+                "--set=sensors.microphone.enabled=false",
+                "--out=" + church);
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        JsonNode file = JsonMapper.builder()
+                .build()
+                .readTree(church.resolve("coverage.json").toFile());
+        double unknown = file.get("heights").get(0).get("unknown_share").asDouble();
+        assertThat(unknown).isBetween(0.5, 0.95);
+        String words = String.format(Locale.ROOT, "nknown: %.1f %% of the area: the ground there", 100.0 * unknown);
+        assertThat(outcome.out()).contains("u" + words);
+        assertThat(Files.readString(church.resolve("report.html")))
+                .contains("U" + words, " of the known area at 2 m")
+                .doesNotContain(" of the area at 2 m", "is detected everywhere.");
     }
 
     /** The area consists of whole cells, and a line says so where its side is another one. */
