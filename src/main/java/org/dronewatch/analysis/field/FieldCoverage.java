@@ -126,14 +126,15 @@ public final class FieldCoverage {
             return 0;
         }
         int chosen = 0;
-        double least = Double.NaN;
+        double least = Double.POSITIVE_INFINITY;
         for (int course = 0; course < field.courses().size(); course++) {
             double missed = 1.0;
             for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
                 missed *= 1.0 - field.probability(sensor, height, column, row, course);
             }
             double rank = choice == Choice.WORST ? -missed : missed;
-            if (!(rank >= least) || rank == least && isPreferred(course, chosen, height, column, row)) {
+            int order = Double.compare(rank, least);
+            if (order < 0 || order == 0 && isPreferred(course, chosen, height, column, row)) {
                 least = rank;
                 chosen = course;
             }
