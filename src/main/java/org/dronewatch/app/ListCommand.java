@@ -80,7 +80,7 @@ final class ListCommand implements Callable<Integer> {
         for (String name : Catalog.packagedNames()) {
             CatalogEntry entry = Catalog.packaged().entry(name).orElseThrow();
             out.printf(
-                    "%-10s %-22s %s; range %s; covers %s; %s%s%n",
+                    "%-10s %-22s %s; range %s; covers %s; basis: %s%s%n",
                     entry.kind(),
                     name,
                     entry.title(),

@@ -225,7 +225,8 @@ public final class SettingsPath {
 
     private InputException unknown(int depth, String what) {
         String parent = depth == 0 ? "the scene" : "'" + upTo(depth) + "'";
-        return new InputException("setting '" + path + "': no '" + names.get(depth) + "': " + parent + " " + what);
+        return new InputException(
+                "setting '" + path + "': there is no '" + names.get(depth) + "'; " + parent + " " + what);
     }
 
     @Override

@@ -125,7 +125,7 @@ class SystemSwapTest {
                                 + " 'gate-camera': there is no such sensor; closest matches: ");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> scene(SENTRY).set("sensors.gat", "liteye").settings())
-                .withMessageStartingWith("--set setting 'sensors.gat': no 'gat': 'sensors' has: ");
+                .withMessageStartingWith("--set setting 'sensors.gat': there is no 'gat'; 'sensors' has: ");
     }
 
     /** The runs of a sweep are compared sensor by sensor. */

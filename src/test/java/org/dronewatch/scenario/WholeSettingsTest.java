@@ -28,11 +28,11 @@ class WholeSettingsTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "world.light.sun.azimuth | 200deg | no 'azimuth': 'world.light.sun' is not set: first set all of azimuth,"
+                "world.light.sun.azimuth | 200deg | there is no 'azimuth'; 'world.light.sun' is not set: first set all of azimuth,"
                         + " elevation, in this order, as in world.light.sun=10deg,10deg",
-                "drones.quadrotor.swarm.count | 3 | no 'count': 'drones.quadrotor.swarm' is not set: first set count, as in"
+                "drones.quadrotor.swarm.count | 3 | there is no 'count'; 'drones.quadrotor.swarm' is not set: first set count, as in"
                         + " drones.quadrotor.swarm=10",
-                "world.origin.latitude | 50deg | no 'latitude': 'world.origin' is not set: only a scene file can set it",
+                "world.origin.latitude | 50deg | there is no 'latitude'; 'world.origin' is not set: only a scene file can set it",
                 "drones.quadrotor.flight.kind | recorded | only a scene file can change the kind of"
                         + " 'drones.quadrotor.flight', since each kind needs its own settings",
                 "sensors.camera.detection.kind | target-task | set 'sensors.camera.detection' itself to pixel-threshold or"
@@ -54,7 +54,7 @@ class WholeSettingsTest {
 
         assertThatThrownBy(() -> path.read(WorldSettings.of(List.of())))
                 .isInstanceOf(InputException.class)
-                .hasMessageEndingWith("no '0': 'models' is an empty list");
+                .hasMessageEndingWith("no '0'; 'models' is an empty list");
     }
 
     @ParameterizedTest

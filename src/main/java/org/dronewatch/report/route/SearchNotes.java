@@ -143,8 +143,9 @@ final class SearchNotes {
         return routes.isEmpty()
                 ? Optional.empty()
                 : Optional.of("Less exposed routes " + RouteDirections.from(routes)
-                        + " cannot be ruled out: the lower bound of the exposure allows a detection" + inTime(response)
-                        + " that is more than 20 percentage points less likely. To look for them between the middles of cells,"
+                        + " cannot be ruled out: the lower bound of the exposure allows for a probability of detection"
+                        + inTime(response)
+                        + " that is more than 20 percentage points lower. To look for them between the middles of cells,"
                         + " try " + finer() + elsewhere(routes) + ".");
     }
 

@@ -109,7 +109,7 @@ public record LevelModel(
 
     @Override
     public String leavesOut() {
-        return "The level model is empirical: its levels are fitted to measurements, are no sound pressure levels, and take no"
+        return "The level model is empirical: its levels are fitted to measurements, are not sound pressure levels, and take no"
                 + " account of wind or interference.";
     }
 
