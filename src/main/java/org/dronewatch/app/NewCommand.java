@@ -58,7 +58,7 @@ final class NewCommand implements Callable<Integer> {
     @Option(
             names = "--radius",
             paramLabel = "LENGTH",
-            description = "Extent of the site from its middle, 200 m to 20 km; 2 km by default.")
+            description = "Distance from the middle to which the site extends, 200 m to 20 km; 2 km by default.")
     private String radius = "2 km";
 
     @Option(

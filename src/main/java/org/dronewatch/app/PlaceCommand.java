@@ -85,7 +85,8 @@ final class PlaceCommand implements Callable<Integer> {
             paramLabel = "G",
             description =
                     "Ends the search once no layout can exceed the value of the best so far by more than this fraction"
-                            + " of it, 0 to 1; 0.001 by default; 0 proves that the best is optimal.")
+                            + " of it, 0 to 1; 0.001 by default; with 0, the search ends once the best is proven"
+                            + " optimal.")
     private double gap = DEFAULT_GAP;
 
     @Option(

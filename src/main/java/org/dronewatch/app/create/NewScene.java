@@ -92,7 +92,7 @@ public record NewScene(
                         "    landCover: true  # colours and acoustic surfaces of water, roads, woods, ... on the ground");
             }
         });
-        line(text, "  backgroundNoise: 45 dB  # A-weighted: 30 in quiet country, 40 in a suburb, 55 in a city by day");
+        line(text, "  backgroundNoise: 45 dB  # A-weighted: 30 in quiet countryside, 40 in a suburb, 55 in a city by day");
         line(text, "");
         line(text, "run: {duration: 1 s}");
         return text.toString();
@@ -147,7 +147,8 @@ public record NewScene(
                 way -> {
                     line(
                             text,
-                            "    # Low over ground and roofs, from the direction in which the radar sees least: %.0f %% of the path is hidden.",
+                            "    # Low over ground and roofs, from the direction in which the radar sees the least of"
+                                    + " the path: %.0f %% of it is hidden.",
                             100.0 * way.hidden());
                     line(
                             text,
