@@ -10,7 +10,7 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * A straight flight towards a point, low over the ground, which uses the cover that the site offers; the drone stops at
+ * A straight flight towards a point, low over the ground and using the cover that the site offers; the drone stops at
  * the point, or at the standoff distance. It climbs and descends at no more than 45 degrees, and keeps its height as
  * with {@link TerrainFollowing}.
  *

@@ -9,8 +9,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
 /**
- * A hover at a point, such as behind an obstacle, then a vertical climb from rest to rest at no more than the cruise
- * speed; the drone stays at the top, with its nose to the north.
+ * A hover at a point, for example behind an obstacle, then a vertical climb from rest to rest at no more than the
+ * cruise speed; the drone stays at the top, with its nose to the north.
  *
  * @param position position of the first hover, m
  * @param hoverTime duration of that hover, 0 to 1,000,000 s

@@ -32,7 +32,8 @@ import org.dronewatch.setting.SettingsForm;
  *     least detect it
  * @param search pattern of its search until it is cued
  * @param zoom how its lens zooms; omit it for a fixed lens
- * @param rangeSearch search along the direction measured by a cueing sensor at another position that measures no range
+ * @param rangeSearch search along the direction measured by a cueing sensor that is at another position and measures no
+ *     range
  */
 public record PositionerSettings(
         List<String> cues,
