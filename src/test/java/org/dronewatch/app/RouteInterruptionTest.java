@@ -20,7 +20,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * A request to end while {@code route} searches again past what its flights have shown: the best routes so far, whole.
+ * A request to end while {@code route} repeats its search because of what its looks have shown: the best routes so
+ * far, whole.
  */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
 class RouteInterruptionTest {
@@ -62,7 +63,7 @@ class RouteInterruptionTest {
         }
 
         assertThat(outcome.err())
-                .doesNotContain("routes past what flights have shown: done")
+                .doesNotContain("repeated search for routes: done")
                 .doesNotContain("error")
                 .doesNotContain("Exception")
                 .contains(

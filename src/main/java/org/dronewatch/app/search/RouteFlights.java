@@ -84,7 +84,7 @@ final class RouteFlights {
             });
             avoidLateDetections(search);
             if (search.isNeeded()) {
-                shown.during("routes past what flights have shown", RepeatedSearch.MOST, progress -> {
+                shown.during("repeated search for routes", RepeatedSearch.MOST, progress -> {
                     search.repeat(progress);
                     return all;
                 });
@@ -110,7 +110,7 @@ final class RouteFlights {
 
     private void avoidLateDetections(RepeatedSearch search) {
         if (search.isTooLate()) {
-            shown.during("routes past later detections", RepeatedSearch.MOST + 1L, progress -> {
+            shown.during("routes least exposed all the way", RepeatedSearch.MOST + 1L, progress -> {
                 search.avoidLateDetections(progress);
                 return search.survey().routes().size();
             });

@@ -18,7 +18,7 @@ import org.dronewatch.route.search.TimeToGo;
  * What {@code route} found.
  *
  * @param survey the weakest routes
- * @param found all routes that the search has found, also those past what flights have shown that are not among the
+ * @param found all routes that the search has found, including those of repeated searches that are not among the
  *     weakest as flown, and those that they replaced
  * @param between whether the cells of the search are small enough
  * @param times the shortest times to the end of a route

@@ -113,7 +113,7 @@ final class SearchNotes {
     }
 
     /**
-     * The route that is least exposed by the search alone, if those past what flights have shown have replaced it;
+     * The route that is least exposed by the search alone, if those of repeated searches have replaced it;
      * empty if it is among those listed, or is printed like one of them.
      */
     Optional<String> replaced(RouteResults results) {

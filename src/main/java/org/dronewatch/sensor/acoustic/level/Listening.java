@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.acoustic.level;
 
-/** The criterion for the end of a look. Both give the same detections. */
+/** The criterion by which a look ends. Both criteria give the same detections. */
 public enum Listening {
     /** Ends when a ray arrives that is loud enough: {@code listen} in the thesis. */
     FAST,
