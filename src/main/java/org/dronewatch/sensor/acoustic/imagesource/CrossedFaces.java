@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
 
 /**
  * The faces that lie upon one another where a path of sound meets one of them, by material: all are crossed at once.
- * The path leaves the solids within which it is, and enters the others. Faces of a sheet that lie upon one another
+ * The path leaves the solids that it is inside, and enters the others. Faces of a sheet that lie upon one another
  * count as one, and so do those of a solid if the path has entered it through as many. One per thread.
  */
 public final class CrossedFaces {

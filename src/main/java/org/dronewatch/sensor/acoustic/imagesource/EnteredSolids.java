@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import java.util.Arrays;
 
 /**
- * The solids within which a path of sound is, by the numbers of their materials. They may overlap, as walls do at the
+ * The solids that a path of sound is inside, by the numbers of their materials. They may overlap, as walls do at the
  * corners of merged models: leaving one of them does not end the others. A mutable, reused object, for one thread.
  */
 public final class EnteredSolids {
