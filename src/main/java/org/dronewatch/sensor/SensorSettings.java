@@ -9,8 +9,8 @@ import org.dronewatch.world.World;
 /**
  * Settings of a sensor of any kind, with the properties that all sensors share. Implementations are records, so that a
  * scene file and {@code --set} reach every field. Properties that only some sensors have are capabilities, interfaces
- * that the record implements as well: {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging},
- * {@link DirectionFinding}, {@link SoundTracing}. Obtain one with {@link #as}.
+ * that the record implements as well, such as {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging},
+ * {@link DirectionFinding} and {@link SoundTracing}. Obtain one with {@link #as}.
  *
  * @param <S> the sensor that they create
  */
