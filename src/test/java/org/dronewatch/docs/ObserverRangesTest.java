@@ -70,13 +70,14 @@ class ObserverRangesTest {
         assertThat(page)
                 .contains(String.format(
                         Locale.ROOT,
-                        "10 %% of observers before the drone is within %.0f m, 50 %% within %.0f m, 90 %% within %.0f m",
+                        "10 %% of observers find the drone at %.0f m or more, 50 %% at %.0f m or more,"
+                                + " 90 %% at %.0f m or more",
                         tenth[1],
                         half[1],
                         nine[1]))
                 .contains(String.format(
                         Locale.ROOT,
-                        "within %.1f m at 10 frames a second, within %.1f m at 25, and within %.1f m at 50",
+                        "by the time it is %.1f m away at 10 frames a second, %.1f m at 25, and %.1f m at 50",
                         half[0],
                         half[1],
                         half[2]));
