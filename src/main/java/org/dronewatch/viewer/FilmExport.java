@@ -51,7 +51,7 @@ final class FilmExport implements AutoCloseable {
 
     /** Asks for times and a file and writes a video of the site from the current viewpoint. */
     void saveSite() {
-        pane.viewed().ifPresent(viewed -> ask(viewed, "site").ifPresent(film -> save(site(viewed, film), "site")));
+        pane.viewed().ifPresent(viewed -> ask(viewed, "the site").ifPresent(film -> save(site(viewed, film), "site")));
     }
 
     /** Asks for times and a file and writes a film of the selected camera, or of the first when none is selected. */

@@ -93,7 +93,7 @@ final class PlacingPanel extends JPanel {
     private void listen(Consumer<String> selection) {
         undo.setToolTipText("Undoes the last change to a sensor");
         redo.setToolTipText("Redoes the last change that was undone");
-        reset.setToolTipText("Moves all sensors back to their places in the scene; can be undone");
+        reset.setToolTipText("Undoes all changes to sensors; Undo brings them back");
         save.setToolTipText("Writes a scene file with the sensors as they are now");
         undo.addActionListener(e -> undo());
         redo.addActionListener(e -> redo());

@@ -58,7 +58,7 @@ public final class UnsavedMoves {
         int chosen = JOptionPane.showOptionDialog(
                 parent,
                 words(moved),
-                "Unsaved changes of sensors",
+                "Unsaved changes to sensors",
                 JOptionPane.DEFAULT_OPTION,
                 JOptionPane.WARNING_MESSAGE,
                 null,
@@ -67,7 +67,7 @@ public final class UnsavedMoves {
         return chosen == JOptionPane.CLOSED_OPTION ? Answer.STAY : Answer.values()[chosen];
     }
 
-    /** What would be lost: {@code 'radar' and 2 other sensors were changed, and this is not saved.} */
+    /** What would be lost: {@code 'radar' and 2 other sensors were changed, and ...} */
     public static String words(Set<String> moved) {
         String first = "'" + moved.iterator().next() + "'";
         int others = moved.size() - 1;

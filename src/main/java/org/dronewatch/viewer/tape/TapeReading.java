@@ -59,7 +59,7 @@ public record TapeReading(Tape tape, Optional<Blocked> blocked) {
     private String sight() {
         return blocked.map(found -> String.format(
                         Locale.ROOT,
-                        "blocked after %.1f m by %s at %s",
+                        "line of sight blocked after %.1f m by %s at %s",
                         found.at().minus(tape.from().place()).length(),
                         name(found),
                         Texts.place(found.at())))
