@@ -29,7 +29,7 @@ record DetectionComparison(String drone, Optional<String> sensor, Side here, Sid
         /** The time of the first detection, and by which sensor if that is not given. */
         private String text(boolean isOfAny) {
             if (!exists) {
-                return "not there";
+                return "absent";
             }
             return first.map(o -> Texts.time(o.arrival()) + (isOfAny ? " by " + o.sensor() : ""))
                     .orElse(finished ? "never" : "not yet");
