@@ -41,7 +41,7 @@ public record InterpolationError(
      * @param scale factor between the spread of neighbours and the standard deviation of what is interpolated between
      *     them: that of the errors measured (root mean square)
      * @param reach the same for the greatest error that counts as possible: {@value InterpolationError#MARGIN} times
-     *     that of the greatest error measured, also of those of each traced position interpolated between the others
+     *     that of the greatest error measured, also of those of each traced position interpolated from the others
      * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB; measured in the same way
      */
     record Bounds(double scale, double reach, double beyond) {
