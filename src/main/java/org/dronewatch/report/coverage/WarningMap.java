@@ -11,6 +11,7 @@ import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.coverage.table.CoverageSite;
 import org.dronewatch.report.coverage.table.WarningTable;
 import org.dronewatch.report.sheet.ColourMix;
+import org.dronewatch.report.sheet.LineLayer;
 import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.report.sheet.ProtectedOutlines;
 import org.dronewatch.report.sheet.ReliefShade;
@@ -64,9 +65,9 @@ public final class WarningMap {
             List<Warning> its = warnings.all().stream()
                     .filter(one -> one.height() == height)
                     .toList();
-            Color colour = FieldPictures.ofHeight(i, heights.length);
-            sheet.outline(outline(warnings, its), colour, i + 1);
-            sheet.sample(colour, i + 1, FieldPictures.metres(height) + ": " + WarningTable.leastAndOthers(its));
+            LineLayer layer = new LineLayer(i, heights.length, FieldPictures.ofHeight(i, heights.length));
+            sheet.outline(outline(warnings, its), layer);
+            sheet.sample(layer, FieldPictures.metres(height) + ": " + WarningTable.leastAndOthers(its));
         }
         for (List<Position> zone : ProtectedOutlines.of(site.stage().protection())) {
             sheet.outline(zone, Color.BLACK, 0);

@@ -111,9 +111,19 @@ public final class MapSheet {
      * @param style a number by which lines differ even in black and white: 0 is solid, other numbers are dashed
      */
     public void outline(List<Position> corners, Color colour, int style) {
+        outline(corners, colour, stroke(style));
+    }
+
+    /** Draws a closed line on the map that others may lie on. */
+    public void outline(List<Position> corners, LineLayer layer) {
+        outline(corners, LineLayer.EDGE, layer.edge());
+        outline(corners, layer.colour(), layer.stroke());
+    }
+
+    private void outline(List<Position> corners, Color colour, BasicStroke stroke) {
         Polygon line = new Polygon();
         corners.forEach(corner -> line.addPoint(column(corner), row(corner)));
-        draw(line, colour, stroke(style));
+        draw(line, colour, stroke);
     }
 
     /**
@@ -188,6 +198,12 @@ public final class MapSheet {
     /** Writes a legend entry, preceded by a sample of a line. */
     public void sample(Color colour, int style, String text) {
         sample(colour, stroke(style), 0);
+        write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
+    }
+
+    /** Writes a legend entry, preceded by a sample of a line that others may lie on. */
+    public void sample(LineLayer layer, String text) {
+        sample(layer.colour(), layer.stroke(), 0);
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 

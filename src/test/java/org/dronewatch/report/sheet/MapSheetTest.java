@@ -9,10 +9,15 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.geometry.Position;
 import org.dronewatch.report.coverage.CauseFills;
 import org.junit.jupiter.api.Test;
 
@@ -65,6 +70,28 @@ class MapSheetTest {
             before = rows;
         }
         assertThat(before).isPositive();
+    }
+
+    /** Of several lines in the same places, none hides another, as many as there may usefully be. */
+    @Test
+    void linesThatLieOnEachOtherAreAllVisible() throws IOException {
+        List<Position> square = List.of(
+                new Position(-30, -30, 0), new Position(30, -30, 0), new Position(30, 30, 0), new Position(-30, 30, 0));
+        for (int lines = 1; lines <= 5; lines++) {
+            MapSheet sheet = new MapSheet(new FieldGrid(0, 0, 100, 10, List.of(10.0)));
+            List<Color> colours = new ArrayList<>();
+            for (int line = 0; line < lines; line++) {
+                colours.add(new Color(200, 40 * line, 30));
+                sheet.outline(square, new LineLayer(line, lines, colours.get(line)));
+            }
+            BufferedImage image = image(sheet);
+            Set<Integer> acrossAnEdge = IntStream.range(0, MapSheet.MAP / 2)
+                    .mapToObj(v -> image.getRGB(MapSheet.MAP / 2, v))
+                    .collect(Collectors.toSet());
+            assertThat(acrossAnEdge)
+                    .as("%d lines", lines)
+                    .containsAll(colours.stream().map(Color::getRGB).toList());
+        }
     }
 
     /** Lines of random words fit, and together they are the text; figures at its end stay. */
