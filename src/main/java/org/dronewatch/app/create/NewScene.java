@@ -92,7 +92,9 @@ public record NewScene(
                         "    landCover: true  # colours and acoustic surfaces of water, roads, woods, ... on the ground");
             }
         });
-        line(text, "  backgroundNoise: 45 dB  # A-weighted: 30 in quiet countryside, 40 in a suburb, 55 in a city by day");
+        line(
+                text,
+                "  backgroundNoise: 45 dB  # A-weighted: 30 in quiet countryside, 40 in a suburb, 55 in a city by day");
         line(text, "");
         line(text, "run: {duration: 1 s}");
         return text.toString();

@@ -15,15 +15,15 @@ public record LineLayer(int number, int of, Color colour) {
     /** What separates a line from those below it. */
     static final Color EDGE = Color.WHITE;
 
-    private static final float EDGE_WIDTH = 0.6f;
+    private static final float EDGE_WIDTH = 0.5f;
 
     private static final float NARROWEST = 2f;
 
     /** By how much a line is wider than the one above it, pixels, unless the lowest would become too wide. */
-    private static final float STEP = 3f;
+    private static final float STEP = 4f;
 
     /** By how much the lowest line is wider than the highest at most, pixels. */
-    private static final float MOST = 12f;
+    private static final float MOST = 16f;
 
     BasicStroke stroke() {
         return solid(width());

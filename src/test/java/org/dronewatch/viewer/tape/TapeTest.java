@@ -57,10 +57,9 @@ class TapeTest {
         Position at = behind.blocked().orElseThrow().at();
         assertThat(at.minus(new Position(0, 0, 2)).length()).isLessThan(1e-6);
         assertThat(behind.words())
-                .isEqualTo(
-                        "From 'camera' to 'drone': 30.0 m (horizontal 30.0 m, height +0.0 m, bearing 0.0 deg,"
-                                + " elevation +0.0 deg); line of sight blocked after 15.0 m by yard.obj at"
-                                + " east 0.0 m, north 0.0 m, up 2.0 m");
+                .isEqualTo("From 'camera' to 'drone': 30.0 m (horizontal 30.0 m, height +0.0 m, bearing 0.0 deg,"
+                        + " elevation +0.0 deg); line of sight blocked after 15.0 m by yard.obj at"
+                        + " east 0.0 m, north 0.0 m, up 2.0 m");
         TapeReading above = TapeReading.of(tape(SOUTH, new Position(0, 15, 30)), sight);
         assertThat(above.blocked()).isEmpty();
         assertThat(above.words()).endsWith("; line of sight clear");
