@@ -220,7 +220,7 @@ class TerrainSceneTest {
                 directory.resolve("plan.png").toString());
         assertThat(coverage.code()).as(coverage.err()).isZero();
         assertThat(coverage.out())
-                .contains("in % of the 400 cells above ground")
+                .contains("in % of the 400 cells with ground below them")
                 .contains("unknown");
         assertHatched(ImageIO.read(directory.resolve("plan.png").toFile()));
     }

@@ -133,7 +133,7 @@ class CoverageTest {
         double disc = Math.PI * 150 * 150 / (400 * 400) * 100;
         double shadow = (Math.atan2(10, 50) * 150 * 150 - 500) / (400 * 400) * 100;
 
-        assertThat(lines.get(0)).isEqualTo("in % of the 10,000 cells above ground:");
+        assertThat(lines.get(0)).isEqualTo("in % of the 10,000 cells with ground below them:");
         assertThat(lines.get(1).split(" {2,}"))
                 .containsExactly(
                         "sensor",

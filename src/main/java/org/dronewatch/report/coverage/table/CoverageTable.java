@@ -29,7 +29,7 @@ public final class CoverageTable {
     /** The area in which each sensor detects the drone, a line for each. */
     public static List<String> areas(Coverage coverage) {
         List<String> lines = new ArrayList<>();
-        lines.add(format(NAMES + " %12s", "sensor", "kind", "area [ha]"));
+        lines.add(format(NAMES + " %12s", "sensor", "kind", "detected [ha]"));
         coverage.sensors()
                 .forEach((id, sensor) ->
                         lines.add(format(NAMES + " %12.2f", id, sensor.kind(), 1e-4 * coverage.area(id))));
@@ -50,7 +50,7 @@ public final class CoverageTable {
         shown.stream().filter(cause -> cause != Cause.DETECTED).forEach(columns::add);
 
         List<String> lines = new ArrayList<>();
-        lines.add(format("in %% of the %,d cells above ground:", coverage.groundCells()));
+        lines.add(format("in %% of the %,d cells with ground below them:", coverage.groundCells()));
         StringBuilder header = new StringBuilder(format(NAMES, "sensor", "kind"));
         columns.forEach(cause -> header.append("  ").append(name(cause)));
         lines.add(header.toString());

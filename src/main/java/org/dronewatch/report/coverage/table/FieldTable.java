@@ -155,7 +155,7 @@ public final class FieldTable {
         if (detectable.coveredAgain() > 0) {
             lines.add(text(
                     "in %s %% of this area, there is a height without detection between two heights with detection;"
-                            + " the largest interval is %s",
+                            + " the largest such interval of heights is %s",
                     percent(detectable.coveredAgain(), detectable.columns()), metres(detectable.largestGap())));
         }
         return lines;

@@ -135,7 +135,7 @@ public final class Losses {
         if (idle.isEmpty()) {
             return heights.stream().allMatch(height -> height.covered() == 0)
                     ? "Nothing is covered, so nothing can be lost."
-                    : "Every sensor changes the coverage.";
+                    : "No sensor can be left out without changing the coverage.";
         }
         String names = ("'" + String.join("', '", idle) + "'").replaceFirst(", ('[^']+')$", " and $1");
         return idle.size() == 1
