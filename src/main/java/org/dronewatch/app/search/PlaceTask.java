@@ -91,10 +91,12 @@ public record PlaceTask(
         return isMissing && interruption.isOutOfTime() ? front.without(part, limits) : front;
     }
 
-    /** What lower budgets buy. */
+    /** What lower budgets buy. Where no gap is allowed, what is printed alike is not the same. */
     <L extends PlacedLayout> BudgetFront<L> front(CheaperLayouts<L> cheaper) {
-        return shown.during("layouts for lower budgets", budgets - 1L, progress -> new FrontSearch<>(
-                        cheaper, PlaceMeasure.of(plan)::text)
-                .found(budgets, limits, progress));
+        FrontSearch<L> search = limits.gap() == 0.0
+                ? new FrontSearch<>(cheaper)
+                : new FrontSearch<>(cheaper, PlaceMeasure.of(plan)::text);
+        return shown.during(
+                "layouts for lower budgets", budgets - 1L, progress -> search.found(budgets, limits, progress));
     }
 }

@@ -58,7 +58,7 @@ public final class SensorTables {
             rows.add(List.of("all", "", "", "", money(sum), rest));
         }
         return Html.table(head, rows)
-                + (priced ? "" : Html.plain("p", "No prices are known; a scene specifies them under 'prices'."));
+                + (priced ? "" : Html.plain("p", "No prices are known; they can be set in the scene under 'prices'."));
     }
 
     private static String money(double amount) {

@@ -24,10 +24,10 @@ public final class ConditionTable {
                 + " under each condition, in % of the known cells:");
         addRows(lines, conditions, height -> percent(height, height.summary().covered()));
         lines.add("");
-        lines.add("covered in the scene as it is, but not under the condition, in % of the cells known without it:");
+        lines.add("covered in the scene as it is, but not under the condition, in % of its known cells:");
         addRows(lines, conditions.subList(1, conditions.size()), ConditionTable::lost);
         lines.add("");
-        lines.add("sensor that covers most under each condition, and its % of the known cells:");
+        lines.add("sensor that covers most under each condition, and the % of the known cells that it covers:");
         addRows(lines, conditions, ConditionTable::best);
         lines.add("");
         conditions.subList(1, conditions.size()).forEach(one -> lines.add(words(conditions.get(0), one)));

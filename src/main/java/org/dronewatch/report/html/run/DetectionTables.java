@@ -37,7 +37,7 @@ final class DetectionTables {
             "first detected [s]",
             "range at first detection [m]",
             "last detected [s]",
-            "maximum range [m]",
+            "greatest range of detection [m]",
             "detection rate (looks)");
 
     private final RunResult run;

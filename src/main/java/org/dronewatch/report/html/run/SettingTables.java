@@ -57,7 +57,7 @@ final class SettingTables {
     String site() {
         WorldSettings world = settings.world();
         List<String> head = new ArrayList<>(
-                List.of("models", "background noise", "visibility", "illuminance", "rain", "simulated", "seed"));
+                List.of("models", "background noise", "visibility", "illuminance", "rain", "simulated time", "seed"));
         List<String> row = new ArrayList<>(List.of(
                 String.join(
                         ", ", world.models().stream().map(model -> model.file()).toList()),
