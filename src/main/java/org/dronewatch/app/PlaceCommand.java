@@ -161,25 +161,28 @@ final class PlaceCommand implements Callable<Integer> {
                         main.interruption(),
                         shown);
                 main.interruption().letFinish();
+                boolean hasScene = true;
                 if (target != null) {
-                    target.write(results, provenance(given, plan), threads.number(), shown.notes());
+                    hasScene = target.write(results, provenance(given, plan), threads.number(), shown.notes());
                 }
-                return printed(results);
+                return printed(results, hasScene);
             });
         }
     }
 
     /** Prints the results; returns the exit code: that of a failure if no attack could be flown. */
-    private int printed(PlaceResults results) {
+    private int printed(PlaceResults results, boolean hasScene) {
         PrintWriter err = spec.commandLine().getErr();
         Optional<AttackedPlaceResults> attacked =
                 results instanceof AttackedPlaceResults its ? Optional.of(its) : Optional.empty();
         json.print(results::toJson, target -> {
-            results.lines().forEach(target::println);
+            (hasScene ? results.lines() : results.linesWithoutScene()).forEach(target::println);
             attacked.ifPresent(its -> {
                 target.println();
                 CampaignLines.print(its.plan(), its.result(), target);
-                target.println(its.sentence());
+                if (hasScene) {
+                    target.println(its.sentence());
+                }
             });
         });
         if (results.isInterrupted()) {

@@ -2,6 +2,7 @@ package org.dronewatch.placement;
 
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
@@ -12,12 +13,19 @@ import java.util.TreeMap;
  * @param kinds limits by kind
  * @param fold how many chosen candidates must attain a value, or a better one, for it to count in a row, 1 or more
  * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate
+ * @param needsOneOf by candidate that is chosen only together with at least one of some others, as a camera on a
+ *     positioner needs a sensor that cues it: the names of these; none of them means that it is never chosen
  */
 public record PlacementConditions(
-        double budget, int atMost, Map<String, KindLimits> kinds, int fold, OptionalDouble anyoneLost) {
+        double budget,
+        int atMost,
+        Map<String, KindLimits> kinds,
+        int fold,
+        OptionalDouble anyoneLost,
+        Map<String, Set<String>> needsOneOf) {
     /** No conditions. */
-    public static final PlacementConditions NONE =
-            new PlacementConditions(Double.POSITIVE_INFINITY, Integer.MAX_VALUE, Map.of(), 1, OptionalDouble.empty());
+    public static final PlacementConditions NONE = new PlacementConditions(
+            Double.POSITIVE_INFINITY, Integer.MAX_VALUE, Map.of(), 1, OptionalDouble.empty(), Map.of());
 
     private static final int MOST_FOLD = 100;
 
@@ -33,30 +41,36 @@ public record PlacementConditions(
             throw new IllegalArgumentException("fold " + fold + ": must be 1 to " + MOST_FOLD);
         }
         kinds = Map.copyOf(new TreeMap<>(kinds));
+        needsOneOf = Map.copyOf(needsOneOf);
     }
 
     /** A copy with another budget. */
     public PlacementConditions withBudget(double other) {
-        return new PlacementConditions(other, atMost, kinds, fold, anyoneLost);
+        return new PlacementConditions(other, atMost, kinds, fold, anyoneLost, needsOneOf);
     }
 
     /** A copy with another maximum number of chosen candidates. */
     public PlacementConditions withAtMost(int other) {
-        return new PlacementConditions(budget, other, kinds, fold, anyoneLost);
+        return new PlacementConditions(budget, other, kinds, fold, anyoneLost, needsOneOf);
     }
 
     /** A copy with other limits by kind. */
     public PlacementConditions withKinds(Map<String, KindLimits> other) {
-        return new PlacementConditions(budget, atMost, other, fold, anyoneLost);
+        return new PlacementConditions(budget, atMost, other, fold, anyoneLost, needsOneOf);
     }
 
     /** A copy in which another number of candidates must attain a value, or a better one, for it to count. */
     public PlacementConditions withFold(int other) {
-        return new PlacementConditions(budget, atMost, kinds, other, anyoneLost);
+        return new PlacementConditions(budget, atMost, kinds, other, anyoneLost, needsOneOf);
     }
 
     /** A copy in which a value must remain after the worst loss. */
     public PlacementConditions withAnyoneLost(double value) {
-        return new PlacementConditions(budget, atMost, kinds, fold, OptionalDouble.of(value));
+        return new PlacementConditions(budget, atMost, kinds, fold, OptionalDouble.of(value), needsOneOf);
+    }
+
+    /** A copy in which some candidates, by their names, are chosen only together with at least one of others. */
+    public PlacementConditions withNeedsOneOf(Map<String, Set<String>> others) {
+        return new PlacementConditions(budget, atMost, kinds, fold, anyoneLost, others);
     }
 }

@@ -1,5 +1,6 @@
 package org.dronewatch.placement;
 
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -108,6 +109,7 @@ public final class PlacementProblem {
                 && hasFixed(chosen)
                 && hasOneAtPlace(chosen)
                 && hasKinds(chosen)
+                && lacking(chosen).isEmpty()
                 && survivesLoss(chosen);
     }
 
@@ -138,7 +140,19 @@ public final class PlacementProblem {
         });
     }
 
-    private boolean survivesLoss(List<Integer> chosen) {
+    /** The names of the chosen candidates that need one of some others, of which none is chosen. */
+    public List<String> lacking(List<Integer> chosen) {
+        List<String> names = chosen.stream()
+                .map(candidate -> table.candidates().get(candidate).name())
+                .toList();
+        return names.stream()
+                .filter(name -> conditions.needsOneOf().containsKey(name)
+                        && Collections.disjoint(conditions.needsOneOf().get(name), names))
+                .toList();
+    }
+
+    /** Whether enough remains after the worst loss of a single chosen candidate, if that is a condition. */
+    public boolean survivesLoss(List<Integer> chosen) {
         if (conditions.anyoneLost().isEmpty()) {
             return true;
         }

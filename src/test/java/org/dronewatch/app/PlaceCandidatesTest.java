@@ -91,4 +91,101 @@ class PlaceCandidatesTest {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         return outcome.out();
     }
+
+    /** Two kept sensors of the same name are one mistake in the list, not a clash with another sensor. */
+    @Test
+    void aSensorThatIsKeptTwiceIsNamed() throws Exception {
+        Path file = PlacedSite.in(directory, "budget: 4\nkeep: [round, round]\n");
+
+        assertThat(Program.run("place", file.toString()).err()).contains("keep: 'round' is named twice");
+    }
+
+    @Test
+    void aPlaceOutsideTheSiteIsNotBlamedOnTheAirAlone() throws Exception {
+        Path file = PlacedSite.in(directory, "budget: 4\n");
+        String text = Files.readString(file).replaceAll("places: .*", "places: [[50000, 90, 5]]");
+        Files.writeString(file, text.replaceAll("line: .*", "places: [[50000, 90, 5]]"));
+        Outcome outcome = Program.run("place", file.toString());
+
+        assertThat(outcome.code()).isEqualTo(2);
+        assertThat(outcome.err())
+                .contains("no cell in which the drone can be; the square is centred on 50000, 90 m, the mean position"
+                        + " of the candidates: is a place outside the site?");
+    }
+
+    /** A single budget has no others between which a better one may lie. */
+    @Test
+    void aSingleBudgetIsNotTwo() throws Exception {
+        Path site = PlacedSite.in(directory, "budget: 4\n");
+        Program.run("place", site.toString(), "--budgets=1", "--out=" + directory.resolve("results"));
+
+        assertThat(Files.readString(directory.resolve("results/report.html")))
+                .contains("Only this budget was tried: a cheaper layout may be a better buy.");
+    }
+
+    @Test
+    void aLayoutThatIsWorseThanTodayIsCalledThat() throws Exception {
+        assertThat(placed("budget: 1\n"))
+                .contains("better than this layout, which has only those of them that 'keep' names.");
+        assertThat(placed("budget: 9\n")).doesNotContain("better than this layout");
+    }
+
+    /** The first purchases alone comply with a condition only by chance; the figure is that of the file. */
+    @Test
+    void purchasesThatDoNotComplyYetAreCounted() throws Exception {
+        String printed = placed("budget: 9\nconditions: {anyoneLost: {atLeast: 0.2}}\n");
+
+        assertThat(printed)
+                .containsPattern("The first( \\d)? purchases? alone do(es)? not comply with the conditions"
+                        + " \\(after the worst loss, \\d+\\.\\d % remain\\)\\.");
+        assertThat(placed("budget: 9\n")).doesNotContain("alone do");
+    }
+
+    /** The models of the site are not below the directory of the results: the layout cannot be written there. */
+    @Test
+    void aLayoutThatIsNotWrittenIsNotOffered() throws Exception {
+        Path file = PlacedSite.in(directory, "budget: 4\n");
+        Outcome outcome =
+                Program.run("place", file.toString(), "--budgets=1", "--quiet", "--out=" + directory.resolve("layout"));
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(directory.resolve("layout/layout.yaml")).doesNotExist();
+        assertThat(outcome.err()).contains("warning: the layout is not written as a scene");
+        assertThat(outcome.out()).contains("The layout covers").doesNotContain("layout.yaml");
+    }
+
+    /** A camera that turns is worth nothing as long as nothing tells it where the drone is. */
+    @Test
+    void aTurningSensorIsBoughtOnlyWithOneThatCuesIt() throws Exception {
+        String alone = turning("budget: 3\n");
+        String together = turning("budget: 6\n");
+
+        assertThat(alone).doesNotContain("eye-1-turn ");
+        assertThat(together).contains("eye-1-turn ", "radar-1 ");
+    }
+
+    private String turning(String budget) throws Exception {
+        Path file = PlacedSite.in(directory, budget);
+        Files.writeString(
+                file,
+                """
+                scene: site.yaml
+                candidates:
+                  radar:
+                    sensor: {kind: radar, minRange: 1, maxRange: 60, elevationWidth: 90 deg, minSpeed: 3 m/s,
+                      budget: {range: 5000, crossSection: 0.01}}
+                    price: 3
+                    places: [[0, 0, 4]]
+                  eye:
+                    sensor: {kind: camera, fov: 6 deg, width: 1600, height: 1200}
+                    price: 2
+                    places: [[0, 0, 34]]
+                    positioners: {turn: {positioner: {use: viper}, price: 1}}
+                air: {side: 400 m, cell: 80 m, heights: [10 m, 40 m]}
+                """
+                        + budget);
+        Outcome outcome = Program.run("place", file.toString(), "--budgets=1", "--quiet");
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        return outcome.out();
+    }
 }

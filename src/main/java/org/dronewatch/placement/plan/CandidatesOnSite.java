@@ -210,6 +210,9 @@ final class CandidatesOnSite {
 
     private void add(String path, SiteCandidate candidate) {
         boolean isOfScene = !path.equals("keep") && present.sensors().containsKey(candidate.name());
+        if (path.equals("keep") && names.contains(candidate.name())) {
+            throw new InputException("keep: '" + PlainText.value(candidate.name()) + "' is named twice");
+        }
         if (isOfScene || !names.add(candidate.name())) {
             throw new InputException(path + ": the name " + candidate.name() + " is taken by another sensor"
                     + (isOfScene ? " of the scene" : "") + ": rename it");

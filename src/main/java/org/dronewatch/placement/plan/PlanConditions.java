@@ -24,7 +24,8 @@ public final class PlanConditions {
                 .withBudget(plan.settings().budget())
                 .withAtMost(asked.atMost().orElse(Integer.MAX_VALUE))
                 .withKinds(kinds)
-                .withFold(asked.fold());
+                .withFold(asked.fold())
+                .withNeedsOneOf(new Cues(plan).needed());
     }
 
     /**

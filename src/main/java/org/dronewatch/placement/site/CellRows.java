@@ -99,7 +99,12 @@ final class CellRows {
             count += first[cell] < 0 ? 0 : courses.size();
         }
         if (count == 0) {
-            throw new InputException("air: there is no cell in which the drone can be");
+            String middle = Math.round(grid.east()) + ", " + Math.round(grid.north());
+            throw new InputException("air: there is no cell in which the drone can be"
+                    + (air.area().isEmpty()
+                            ? "; the square is centred on " + middle + " m, the mean position of the candidates: is a"
+                                    + " place outside the site?"
+                            : ""));
         }
     }
 

@@ -52,6 +52,11 @@ public interface PlacedLayout {
      */
     List<PlaceStep> purchases();
 
+    /** Purchases after which it does not comply with the conditions; empty if there are none, or it is not known. */
+    default Optional<EarlyPurchases> early() {
+        return Optional.empty();
+    }
+
     /** How the order in which to buy is found. */
     default BuyingRule buyingRule() {
         return BuyingRule.of(plan().settings());

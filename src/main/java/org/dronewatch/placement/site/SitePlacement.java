@@ -108,6 +108,11 @@ public record SitePlacement(
     }
 
     @Override
+    public Optional<EarlyPurchases> early() {
+        return EarlyPurchases.of(this, problem, value -> value / rows);
+    }
+
+    @Override
     public List<PlaceStep> purchases() {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), problem::value, some -> 0.0)

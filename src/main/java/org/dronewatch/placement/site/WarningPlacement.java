@@ -166,6 +166,11 @@ public record WarningPlacement(
         return remaining;
     }
 
+    @Override
+    public Optional<EarlyPurchases> early() {
+        return EarlyPurchases.of(this, problem, this::seconds);
+    }
+
     /** Where the shortest warning is the same, the sum of all warnings counts. */
     @Override
     public List<PlaceStep> purchases() {

@@ -110,7 +110,11 @@ final class BranchAndBound {
         }
         int[] left = new int[rules.kinds()];
         for (int candidate = 0; candidate < state.length; candidate++) {
-            if (state[candidate] == SearchNode.FREE && !tally.fits(candidate)) {
+            boolean mayBeServed = rules.isServed(candidate, other -> state[other] != SearchNode.OUT);
+            if (state[candidate] == SearchNode.IN && !mayBeServed) {
+                return false;
+            }
+            if (state[candidate] == SearchNode.FREE && !(tally.fits(candidate) && mayBeServed)) {
                 state[candidate] = SearchNode.OUT;
             }
             if (state[candidate] != SearchNode.OUT && rules.kind[candidate] >= 0) {

@@ -62,7 +62,7 @@ final class CoverSearch {
     private boolean search() {
         int hardest = hardest();
         if (hardest < 0) {
-            return true;
+            return completed();
         }
         if (isStopped.getAsBoolean() || left[hardest] < need[hardest] || isTooMuch()) {
             return false;
@@ -88,6 +88,28 @@ final class CoverSearch {
             allow(tried[at]);
         }
         return isFound;
+    }
+
+    /** Whether each chosen candidate that needs one of some others has one, or one can be added. */
+    private boolean completed() {
+        int[] chosen = SearchNode.having(state, SearchNode.IN, SearchNode.IN);
+        int lacking = IntStream.of(chosen)
+                .filter(candidate -> !rules.isServed(candidate, other -> state[other] == SearchNode.IN))
+                .findFirst()
+                .orElse(-1);
+        if (lacking < 0) {
+            return true;
+        }
+        for (int candidate : rules.needs[lacking]) {
+            if (state[candidate] == SearchNode.FREE && tally.fits(candidate) && !isStopped.getAsBoolean()) {
+                choose(candidate);
+                if (completed()) {
+                    return true;
+                }
+                takeBack(candidate);
+            }
+        }
+        return false;
     }
 
     /** The demand that leaves the fewest possibilities; -1 if all are satisfied. */

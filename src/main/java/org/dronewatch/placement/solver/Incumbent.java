@@ -27,7 +27,7 @@ final class Incumbent {
 
     /** Takes over a choice if it complies and is better. */
     void offer(int[] other) {
-        if (tally.isBroken(other) || tally.missing() > 0) {
+        if (tally.isBroken(other) || missing(other) > 0) {
             return;
         }
         double offered = valuation.value(other);
@@ -45,9 +45,14 @@ final class Incumbent {
     /** Whether a choice complies, and has the gain of the best. */
     boolean isAsGood(int[] other) {
         return !tally.isBroken(other)
-                && tally.missing() == 0
+                && missing(other) == 0
                 && shortfall(other) == 0.0
                 && valuation.value(other) >= value;
+    }
+
+    /** How many candidates are missing of those that some kinds, or other candidates, need. */
+    private int missing(int[] tallied) {
+        return tally.missing() + rules.lacking(tallied);
     }
 
     /** How much of what must remain after the worst loss is missing, as a fraction of it; 0 if none is. */
@@ -63,7 +68,7 @@ final class Incumbent {
     /** The score of any choice that breaks no rule. */
     Score score(int[] other) {
         tally.isBroken(other);
-        double penalty = tally.missing() + shortfall(other);
+        double penalty = missing(other) + shortfall(other);
         double gain = valuation.value(other);
         return new Score(penalty, gain, valuation.progress());
     }

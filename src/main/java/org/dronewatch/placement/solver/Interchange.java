@@ -136,6 +136,8 @@ final class Interchange {
                 tally.add(chosen[at]);
             }
         }
-        return tally.fits(in);
+        int[] swapped = chosen.clone();
+        swapped[out] = in;
+        return tally.fits(in) && rules.lacking(swapped) <= rules.lacking(chosen);
     }
 }

@@ -1,6 +1,8 @@
 package org.dronewatch.placement.solver;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.PriorityQueue;
 import org.dronewatch.placement.solver.Gains.Form;
 
@@ -41,9 +43,14 @@ final class LazyGreedy {
             choose(candidate, tally, isChosen);
         }
         PriorityQueue<Entry> queue = queue(isChosen);
+        List<Entry> waiting = new ArrayList<>();
         while (!queue.isEmpty()) {
             Entry head = queue.poll();
             if (!tally.fits(head.candidate)) {
+                continue;
+            }
+            if (!rules.isServed(head.candidate, other -> isChosen[other])) {
+                waiting.add(head);
                 continue;
             }
             if (head.round < count) {
@@ -55,6 +62,9 @@ final class LazyGreedy {
             }
             choose(head.candidate, tally, isChosen);
             chosen[count++] = head.candidate;
+            // What waits for one of several others may have got it.
+            queue.addAll(waiting);
+            waiting.clear();
         }
         return Arrays.copyOf(chosen, count);
     }

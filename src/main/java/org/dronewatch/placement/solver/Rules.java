@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.KindLimits;
 import org.dronewatch.placement.PlacementConditions;
@@ -29,6 +31,9 @@ final class Rules {
 
     /** The candidates that are always chosen, ascending. */
     final int[] fixed;
+
+    /** By candidate: those of which it needs one, ascending; null if it needs none. */
+    final int[][] needs;
 
     /** By place: whether all its candidates are of one limited kind, or of none. */
     final boolean[] isNested;
@@ -59,12 +64,35 @@ final class Rules {
         kindAtLeast =
                 kinds.stream().mapToInt(entry -> entry.getValue().atLeast()).toArray();
         kindAtMost = kinds.stream().mapToInt(entry -> entry.getValue().atMost()).toArray();
-        int[] all = new int[size];
-        Arrays.setAll(all, candidate -> candidate);
-        fixed = Arrays.stream(all)
+        fixed = IntStream.range(0, size)
                 .filter(number -> candidates.get(number).fixed())
                 .toArray();
         isNested = nested();
+        List<String> all = candidates.stream().map(Candidate::name).toList();
+        needs = all.stream()
+                .map(conditions.needsOneOf()::get)
+                .map(others -> others == null
+                        ? null
+                        : others.stream()
+                                .mapToInt(all::indexOf)
+                                .filter(other -> other >= 0)
+                                .sorted()
+                                .toArray())
+                .toArray(int[][]::new);
+    }
+
+    /** Whether a candidate needs no other, or one of those that it needs is in the choice. */
+    boolean isServed(int candidate, IntPredicate isChosen) {
+        return needs[candidate] == null || Arrays.stream(needs[candidate]).anyMatch(isChosen);
+    }
+
+    /** How many candidates of a choice lack another that they need. */
+    int lacking(int[] chosen) {
+        int lacking = 0;
+        for (int candidate : chosen) {
+            lacking += isServed(candidate, other -> Arrays.stream(chosen).anyMatch(one -> one == other)) ? 0 : 1;
+        }
+        return lacking;
     }
 
     private boolean[] nested() {

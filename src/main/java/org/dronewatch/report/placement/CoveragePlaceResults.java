@@ -49,6 +49,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
         lines.add("");
         table.nothing().ifPresent(lines::add);
         table.late().ifPresent(lines::add);
+        table.early().ifPresent(lines::add);
         lines.addAll(new CoverageSentences(this).lines());
         lines.addAll(new FrontWords(measure()).lines(front));
         fields.ifPresent(its -> {

@@ -26,6 +26,7 @@ final class CoverageSentences {
     List<String> lines() {
         PlaceTable table = new PlaceTable(best, results.measure());
         List<String> lines = new ArrayList<>(List.of(worth()));
+        table.uncued().ifPresent(lines::add);
         table.byCondition().ifPresent(lines::add);
         results.fields().ifPresent(fields -> lines.add(together(fields)));
         table.present().ifPresent(lines::add);

@@ -61,7 +61,10 @@ final class FrontWords {
         List<String> sentences = new ArrayList<>();
         if (!tried.all()) {
             sentences.add(
-                    Counted.of(tried.count(), "budget") + " were tried: a better buy may lie between two of them.");
+                    tried.count() == 1
+                            ? "Only this budget was tried: a cheaper layout may be a better buy."
+                            : Counted.of(tried.count(), "budget")
+                                    + " were tried: a better buy may lie between two of them.");
         }
         sentences.addAll(unanswered(tried, money));
         return sentences;

@@ -54,9 +54,10 @@ public final class PlaceDirectory implements AutoCloseable {
      * @param provenance origin of the results
      * @param threads number of worker threads
      * @param notes receives a line on what could not be written
+     * @return whether the layout is written as a scene
      * @throws InputException when writing fails
      */
-    public void write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
+    public boolean write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
         PlacePlan plan = results.best().plan();
         directory.write(() -> {
             Optional<SceneSettings> layout = writeCommon(results, provenance, threads, notes);
@@ -66,6 +67,7 @@ public final class PlaceDirectory implements AutoCloseable {
                     provenance.inWords(plan.present().run().seed(), threads));
             directory.publish(directory.former(NUMBERS, FILES));
         });
+        return Files.exists(target.resolve(SCENE));
     }
 
     /** The numbers, their provenance, and the layout as a scene; gives its settings, if they are consistent. */
@@ -82,7 +84,8 @@ public final class PlaceDirectory implements AutoCloseable {
             String text = plan.runner().text(layout.get(), target.resolve(SCENE));
             Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
         } catch (InputException e) {
-            notes.accept("the layout is not written as a scene, so there is no layout.yaml: " + e.getMessage());
+            notes.accept(
+                    "warning: the layout is not written as a scene, so there is no layout.yaml: " + e.getMessage());
         }
         return layout;
     }

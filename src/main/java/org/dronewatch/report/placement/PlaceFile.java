@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.plan.Cues;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.FrontPoint;
 import org.dronewatch.placement.site.PlacedLayout;
@@ -47,6 +48,8 @@ final class PlaceFile {
         ArrayNode chosen = root.putArray("chosen");
         Map<String, Double> without = layout.withoutEach();
         layout.chosen().forEach(sensor -> add(chosen.addObject(), sensor, layout, without));
+        ArrayNode uncued = root.putArray("uncued");
+        new Cues(layout.plan()).uncued(layout.chosen()).forEach(uncued::add);
         present(root, layout);
         ArrayNode front = root.putArray("front");
         for (FrontPoint<? extends PlacedLayout> point : results.front().points()) {

@@ -127,7 +127,8 @@ final class PlaceReport {
         }
         return Html.plain("p", order() + measure.columns())
                 + Html.table(head, rows)
-                + table.late().map(late -> Html.plain("p", late)).orElse("");
+                + table.late().map(late -> Html.plain("p", late)).orElse("")
+                + table.early().map(early -> Html.plain("p", early)).orElse("");
     }
 
     private String order() {

@@ -40,6 +40,11 @@ public interface PlaceResults {
     /** The lines of the results: tables and sentences. */
     List<String> lines();
 
+    /** The same without commands for the scene of the layout, where it could not be written. */
+    default List<String> linesWithoutScene() {
+        return lines().stream().filter(line -> !line.contains(" layout.yaml ")).toList();
+    }
+
     /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
     ObjectNode toJson();
 

@@ -7,8 +7,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.plan.Cues;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PlacedLayout;
@@ -16,6 +18,7 @@ import org.dronewatch.placement.site.PresentLayout;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.setting.Counted;
+import org.dronewatch.setting.PlainText;
 
 /** The best layout as a table, in the order in which its sensors are best bought. */
 final class PlaceTable {
@@ -104,6 +107,40 @@ final class PlaceTable {
                                 + " nothing until " + steps.get(idle.size()).added() + " is bought as well.");
     }
 
+    /** Until which purchase the sensors do not comply with the conditions, in a sentence; empty if they always do. */
+    Optional<String> early() {
+        return layout.early().map(early -> {
+            List<String> reasons = new ArrayList<>();
+            early.afterLoss()
+                    .ifPresent(value -> reasons.add("after the worst loss, " + measure.text(value) + " remain"));
+            if (!early.uncued().isEmpty()) {
+                reasons.add("nothing cues " + PlainText.list(early.uncued()));
+            }
+            return (early.count() == 1
+                            ? "The first purchase alone does"
+                            : "The first " + early.count() + " purchases alone do")
+                    + " not comply with the conditions"
+                    + (reasons.isEmpty() ? "." : " (" + String.join("; ", reasons) + ").");
+        });
+    }
+
+    /** That kept sensors count as turned to the drone though nothing cues them, in a sentence; empty if none do. */
+    Optional<String> uncued() {
+        List<String> uncued = new Cues(layout.plan()).uncued(layout.chosen());
+        Map<String, Double> without = layout.withoutEach();
+        return uncued.isEmpty()
+                ? Optional.empty()
+                : Optional.of("Nothing in the layout cues " + PlainText.list(uncued)
+                        + ", though the figures assume that "
+                        + (uncued.size() == 1 ? "it has" : "they have") + " turned to the drone"
+                        + uncued.stream()
+                                .filter(without::containsKey)
+                                .map(name ->
+                                        "; without " + name + ", the layout " + measure.claim(true, without.get(name)))
+                                .collect(Collectors.joining())
+                        + ".");
+    }
+
     /** That even the cheapest sensor costs more than the budget, in a sentence; empty if it does not. */
     private Optional<String> unaffordable() {
         double budget = layout.plan().settings().budget();
@@ -119,8 +156,15 @@ final class PlaceTable {
     /** What the scene's own sensors achieve, in a sentence; empty if it has none. */
     Optional<String> present() {
         return layout.present()
-                .map(own ->
-                        "The scene's own " + counted(own) + " " + measure.claim(own.sensors() == 1, own.value()) + ".");
+                .map(own -> "The scene's own " + counted(own) + " " + measure.claim(own.sensors() == 1, own.value())
+                        + worse(own) + ".");
+    }
+
+    /** That a layout is worse than the scene's own sensors, as the end of a sentence on these; or an empty text. */
+    String worse(PresentLayout own) {
+        return own.value() > layout.value() && !measure.text(own.value()).equals(measure.text(layout.value()))
+                ? ", better than this layout, which has only those of them that 'keep' names"
+                : "";
     }
 
     /** What the layout achieves under each condition, in sentences; empty without conditions. */

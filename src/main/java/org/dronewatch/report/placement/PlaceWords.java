@@ -35,11 +35,12 @@ final class PlaceWords {
                 + amount(best.plan().settings().budget())
                 + " can achieve " + FrontWords.moreThan(measure.text(best.bound())) + ".");
         PlaceTable table = new PlaceTable(best, measure);
+        table.uncued().ifPresent(sentences::add);
         table.nothing().ifPresent(sentences::add);
         table.byCondition().ifPresent(sentences::add);
         best.present()
                 .ifPresent(own -> sentences.add("Today's " + PlaceTable.counted(own) + " "
-                        + measure.claim(own.sensors() == 1, own.value()) + "."));
+                        + measure.claim(own.sensors() == 1, own.value()) + table.worse(own) + "."));
         cheaper()
                 .ifPresent(point -> sentences.add("The best layout for " + amount(point.cost()) + " "
                         + measure.claim(true, point.layout().value()) + "."));

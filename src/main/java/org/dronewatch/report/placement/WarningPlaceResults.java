@@ -52,7 +52,9 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
         lines.add("");
         table.nothing().ifPresent(lines::add);
         table.late().ifPresent(lines::add);
+        table.early().ifPresent(lines::add);
         lines.add(new WarningSentences(best(), measure()).worth());
+        table.uncued().ifPresent(lines::add);
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.CandidateTable;
@@ -72,7 +73,16 @@ final class BruteForce {
         return Integer.bitCount(choice) <= conditions.atMost()
                 && cost <= conditions.budget()
                 && places.values().stream().allMatch(count -> count == 1)
+                && conditions.needsOneOf().entrySet().stream()
+                        .allMatch(need -> !has(choice, need.getKey())
+                                || need.getValue().stream().anyMatch(other -> has(choice, other)))
                 && survives(choice);
+    }
+
+    private boolean has(int choice, String name) {
+        return IntStream.range(0, problem.table().size())
+                .anyMatch(candidate -> (choice >> candidate & 1) == 1
+                        && problem.table().candidates().get(candidate).name().equals(name));
     }
 
     private boolean survives(int choice) {

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
@@ -34,6 +36,7 @@ class ExactSolverTest {
         PLACES,
         FOLD,
         LOSS,
+        NEEDS,
         ALL
     }
 
@@ -152,6 +155,9 @@ class ExactSolverTest {
         }
         PlacementConditions conditions = PlacementConditions.NONE;
         boolean hasAll = condition == Condition.ALL;
+        if (condition == Condition.NEEDS || hasAll && random.nextBoolean()) {
+            conditions = conditions.withNeedsOneOf(needs(table, random));
+        }
         if (condition != Condition.BUDGET || hasAll) {
             conditions = conditions.withAtMost(random.nextInt(1, 7));
         }
@@ -178,6 +184,22 @@ class ExactSolverTest {
             kinds.put("k" + kind, new KindLimits(atLeast, atLeast + random.nextInt(3)));
         }
         return kinds;
+    }
+
+    /** Some candidates need one of up to three others, or of none, which may be themselves in need. */
+    private static Map<String, Set<String>> needs(CandidateTable table, SplittableRandom random) {
+        Map<String, Set<String>> needs = new HashMap<>();
+        for (Candidate one : table.candidates()) {
+            if (!one.fixed() && random.nextBoolean()) {
+                Set<String> others = new HashSet<>();
+                for (int count = random.nextInt(4); count > 0; count--) {
+                    others.add("c" + random.nextInt(table.size()));
+                }
+                others.remove(one.name());
+                needs.put(one.name(), others);
+            }
+        }
+        return needs;
     }
 
     /** Somewhere between the values of none and of all. */

@@ -1,0 +1,82 @@
+package org.dronewatch.placement.plan;
+
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.positioner.PositionerSettings;
+import org.dronewatch.positioner.SearchPattern;
+import org.dronewatch.sensor.DirectionFinding;
+import org.dronewatch.sensor.Mounted;
+
+/**
+ * Which sensors cue those on positioners. A sensor that counts as turned to the drone has to be told where the drone
+ * is, by one that measures directions: one of those that its positioner names or, if it names none, any other in the
+ * layout but those on positioners that are themselves at rest until they are cued.
+ */
+public final class Cues {
+    private final PlacePlan plan;
+    private final boolean isCued;
+
+    /** The cues of a plan. */
+    public Cues(PlacePlan plan) {
+        this.plan = plan;
+        FieldTerms.Turning byDefault = plan.settings().objective() == PlaceObjective.WEAKEST_ROUTE
+                ? FieldTerms.Turning.SEARCH
+                : FieldTerms.Turning.CUED;
+        this.isCued = plan.settings().air().pointing().orElse(byDefault) == FieldTerms.Turning.CUED;
+    }
+
+    /** By the name of each candidate on a positioner that is not kept: those of which a layout needs one for it. */
+    public Map<String, Set<String>> needed() {
+        Map<String, Set<String>> needed = cueing();
+        plan.candidates().stream().filter(one -> one.candidate().fixed()).forEach(kept -> needed.remove(kept.name()));
+        return needed;
+    }
+
+    /** The sensors of a layout that count as turned to the drone, though none of its sensors cues them. */
+    public List<String> uncued(List<SiteCandidate> layout) {
+        Set<String> names = layout.stream().map(SiteCandidate::name).collect(Collectors.toSet());
+        return cueing().entrySet().stream()
+                .filter(one -> names.contains(one.getKey()))
+                .filter(one -> one.getValue().stream().noneMatch(names::contains))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /** By the name of each candidate on a positioner: those that cue it. */
+    private Map<String, Set<String>> cueing() {
+        Map<String, Set<String>> cueing = new LinkedHashMap<>();
+        for (SiteCandidate one : plan.candidates()) {
+            Optional<PositionerSettings> positioner = Mounted.positioner(one.sensor());
+            if (isCued && positioner.isPresent()) {
+                cueing.put(one.name(), cueing(one, positioner.get()));
+            }
+        }
+        return cueing;
+    }
+
+    private Set<String> cueing(SiteCandidate turning, PositionerSettings positioner) {
+        // A kept sensor is as the scene has it: without cues, it stays at rest, or searches.
+        boolean takesAny = positioner.cues().isEmpty() && !turning.candidate().fixed();
+        Set<String> names = new HashSet<>();
+        for (SiteCandidate other : plan.candidates()) {
+            boolean isNamed = positioner.cues().contains(other.name());
+            boolean measures = other.sensor().as(DirectionFinding.class).isPresent();
+            if (!other.name().equals(turning.name()) && measures && (isNamed || takesAny && !isAtRest(other))) {
+                names.add(other.name());
+            }
+        }
+        return names;
+    }
+
+    private static boolean isAtRest(SiteCandidate sensor) {
+        return Mounted.positioner(sensor.sensor())
+                .filter(positioner -> positioner.search() instanceof SearchPattern.Rest)
+                .isPresent();
+    }
+}
