@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.site.PlacedSite;
 import org.junit.jupiter.api.Test;
@@ -161,7 +162,28 @@ class PlaceCandidatesTest {
         String together = turning("budget: 6\n");
 
         assertThat(alone).doesNotContain("eye-1-turn ");
-        assertThat(together).contains("eye-1-turn ", "radar-1 ");
+        assertThat(alone).doesNotContain("turned to the drone");
+        // The fixed camera may cue the other, but sees little.
+        assertThat(together)
+                .contains("eye-1-turn ")
+                .contains("The figures assume that eye-1-turn has turned to the drone, wherever it is; what cues it"
+                        + " covers 2.1 % by itself.");
+    }
+
+    @Test
+    void aKeptSensorThatNothingCuesIsNamed() throws Exception {
+        Path file = PlacedSite.in(directory, "budget: 0\nkeep: [turning]\n");
+        FieldSite.in(
+                directory,
+                FieldSite.ROUND
+                        + "  turning: {kind: camera, position: [3, 0, 34], fov: 6 deg, width: 640, height: 480,"
+                        + " positioner: {cues: [round]}}\n");
+        Outcome outcome = Program.run("place", file.toString(), "--budgets=1", "--quiet");
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.out())
+                .contains("Nothing in the layout cues turning, though the figures assume that it has turned to the"
+                        + " drone; without turning, the layout covers 0.0 %.");
     }
 
     private String turning(String budget) throws Exception {

@@ -48,6 +48,30 @@ public final class Cues {
                 .toList();
     }
 
+    /** The sensors of a layout, not themselves on positioners, that cue others; and whether there are such others. */
+    public Cueing cueing(List<SiteCandidate> layout) {
+        Map<String, Set<String>> all = cueing();
+        List<String> turning = layout.stream()
+                .map(SiteCandidate::name)
+                .filter(all::containsKey)
+                .toList();
+        return new Cueing(
+                turning,
+                layout.stream()
+                        .filter(one -> !all.containsKey(one.name()))
+                        .filter(one ->
+                                turning.stream().anyMatch(name -> all.get(name).contains(one.name())))
+                        .toList());
+    }
+
+    /**
+     * Who cues whom in a layout.
+     *
+     * @param turning names of the sensors that count as turned to the drone
+     * @param cueing the sensors, not themselves on positioners, that cue any of them
+     */
+    public record Cueing(List<String> turning, List<SiteCandidate> cueing) {}
+
     /** By the name of each candidate on a positioner: those that cue it. */
     private Map<String, Set<String>> cueing() {
         Map<String, Set<String>> cueing = new LinkedHashMap<>();

@@ -43,6 +43,11 @@ public interface PlacedLayout {
     /** The value of a chosen sensor by itself; empty if it was not computed. */
     OptionalDouble alone(SiteCandidate sensor);
 
+    /** The value of some of its sensors alone; empty if it was not computed. */
+    default OptionalDouble together(List<SiteCandidate> sensors) {
+        return OptionalDouble.empty();
+    }
+
     /** The value that remains without each of the sensors, by their names; empty if it was not computed. */
     Map<String, Double> withoutEach();
 

@@ -108,6 +108,12 @@ public record SitePlacement(
     }
 
     @Override
+    public OptionalDouble together(List<SiteCandidate> sensors) {
+        List<Integer> numbers = sensors.stream().map(plan.candidates()::indexOf).toList();
+        return OptionalDouble.of(problem.value(numbers) / rows);
+    }
+
+    @Override
     public Optional<EarlyPurchases> early() {
         return EarlyPurchases.of(this, problem, value -> value / rows);
     }

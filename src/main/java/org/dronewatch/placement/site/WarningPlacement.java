@@ -167,6 +167,12 @@ public record WarningPlacement(
     }
 
     @Override
+    public OptionalDouble together(List<SiteCandidate> sensors) {
+        List<Integer> numbers = sensors.stream().map(plan.candidates()::indexOf).toList();
+        return OptionalDouble.of(warning(numbers));
+    }
+
+    @Override
     public Optional<EarlyPurchases> early() {
         return EarlyPurchases.of(this, problem, this::seconds);
     }

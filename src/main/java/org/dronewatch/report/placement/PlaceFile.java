@@ -1,5 +1,6 @@
 package org.dronewatch.report.placement;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -48,8 +49,11 @@ final class PlaceFile {
         ArrayNode chosen = root.putArray("chosen");
         Map<String, Double> without = layout.withoutEach();
         layout.chosen().forEach(sensor -> add(chosen.addObject(), sensor, layout, without));
-        ArrayNode uncued = root.putArray("uncued");
-        new Cues(layout.plan()).uncued(layout.chosen()).forEach(uncued::add);
+        List<String> uncued = new Cues(layout.plan()).uncued(layout.chosen());
+        if (!uncued.isEmpty()) {
+            ArrayNode names = root.putArray("uncued");
+            uncued.forEach(names::add);
+        }
         present(root, layout);
         ArrayNode front = root.putArray("front");
         for (FrontPoint<? extends PlacedLayout> point : results.front().points()) {

@@ -124,12 +124,28 @@ final class PlaceTable {
         });
     }
 
-    /** That kept sensors count as turned to the drone though nothing cues them, in a sentence; empty if none do. */
+    /** What the sensors that cue others are worth, in a sentence; empty if no sensor counts as turned to the drone. */
+    private Optional<String> cued() {
+        Cues.Cueing cues = new Cues(layout.plan()).cueing(layout.chosen());
+        OptionalDouble worth = layout.together(cues.cueing());
+        return cues.turning().isEmpty() || worth.isEmpty()
+                ? Optional.empty()
+                : Optional.of("The figures assume that " + PlainText.list(cues.turning())
+                        + (cues.turning().size() == 1 ? " has" : " have")
+                        + " turned to the drone, wherever it is; what cues "
+                        + (cues.turning().size() == 1 ? "it " : "them ") + measure.claim(true, worth.getAsDouble())
+                        + " by itself.");
+    }
+
+    /**
+     * That kept sensors count as turned to the drone though nothing cues them, in a sentence; otherwise what the
+     * sensors that cue others are worth.
+     */
     Optional<String> uncued() {
         List<String> uncued = new Cues(layout.plan()).uncued(layout.chosen());
         Map<String, Double> without = layout.withoutEach();
         return uncued.isEmpty()
-                ? Optional.empty()
+                ? cued()
                 : Optional.of("Nothing in the layout cues " + PlainText.list(uncued)
                         + ", though the figures assume that "
                         + (uncued.size() == 1 ? "it has" : "they have") + " turned to the drone"
