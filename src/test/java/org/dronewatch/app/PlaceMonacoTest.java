@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.LongForm;
@@ -53,12 +54,17 @@ class PlaceMonacoTest {
 
     /** Runs the packaged placement with other lines in place of its conditions and its airspace. */
     private PlacedLayout place(String lines, String... more) throws IOException {
-        String packaged = Files.readString(SCENES.resolve("palace.place.yaml"));
-        String start = packaged.substring(0, packaged.indexOf("conditions:"));
-        Path file = Files.writeString(directory.resolve("here.place.yaml"), start + lines);
         List<String> options = new ArrayList<>(List.of("--budgets=1"));
         options.addAll(List.of(more));
-        return PlacedLayout.of(file, directory, options.toArray(String[]::new));
+        return place(lines, start -> start, options.toArray(String[]::new));
+    }
+
+    /** The same with a change of what precedes these lines, and all options. */
+    private PlacedLayout place(String lines, UnaryOperator<String> change, String... options) throws IOException {
+        String packaged = Files.readString(SCENES.resolve("palace.place.yaml"));
+        String start = change.apply(packaged.substring(0, packaged.indexOf("conditions:")));
+        Path file = Files.writeString(directory.resolve("here.place.yaml"), start + lines);
+        return PlacedLayout.of(file, directory, options);
     }
 
     @Test
@@ -93,13 +99,17 @@ class PlaceMonacoTest {
         }
     }
 
-    /** The exposure before which there is time to respond, as the search promises it, and as the routes are flown. */
+    /**
+     * The page's example: the exposure before which there is time to respond, as the search promises it, and as the
+     * routes are flown; and the figures that the page states.
+     */
     @Test
     void weakestRoute() throws IOException {
-        PlacedLayout place = placeAgainstRoutes("85000");
+        PlacedLayout place = placeAgainstRoutes(true);
         JsonNode found = place.json("route", "--out=" + directory.resolve("routes"));
         JsonNode routes = found.get("routes");
         double least = found.get("least_exposure").asDouble();
+        List<String> others = new ArrayList<>();
         for (int sector = 0; sector < routes.size(); sector++) {
             JsonNode route = routes.get(sector);
             JsonNode flown = place.promised().get("flown").get(sector);
@@ -107,28 +117,72 @@ class PlaceMonacoTest {
             assertThat(flown.get("sector")).isEqualTo(route.get("sector"));
             assertThat(flown.get("layout").asDouble())
                     .isCloseTo(route.get("p_in_time").asDouble(), within(ROUNDING));
+            if (!flown.get("sector").asString().equals("east")) {
+                others.add(flown.get("sector").asString());
+            }
         }
+        JsonNode promised = place.promised();
 
         assertThat(routes.size()).isEqualTo(8);
-        assertThat(place.promised().get("route").get("exposure").asDouble())
-                .isCloseTo(least, within(1e-3 * least + ROUNDING));
-        assertThat(place.promised().get("value").asDouble())
+        assertThat(promised.get("route").get("exposure").asDouble()).isCloseTo(least, within(1e-3 * least + ROUNDING));
+        assertThat(promised.get("value").asDouble())
                 .isCloseTo(Math.min(least, WeakestRouteSearch.ENOUGH), within(1e-3 * least + ROUNDING));
+
+        String page = page();
+        assertThat(place.outcome().out()).contains("(exposure 13.8 or more)", " in the east, ");
+        assertThat(page).contains("from the east, the exposure is 13.8 or more");
+        assertThat(place.outcome().out()).containsPattern(row("east", "> 99\\.9 %"));
+        others.forEach(from -> assertThat(place.outcome().out()).containsPattern(row(from, "100\\.0 %")));
+        assertThat(page).contains("a probability of > 99.9 % from there and 100.0 % from\nthe seven other directions");
+        assertThat(promised.get("chosen"))
+                .hasSize(2)
+                .allMatch(one -> one.get("kind").asString().equals("rf"));
+        assertThat(page)
+                .contains(String.format(
+                        Locale.ROOT,
+                        "two of them, for %,d,",
+                        promised.get("cost").asInt()));
+        assertThat(promised.get("present").get("sensors").asInt()).isEqualTo(4);
+        assertThat(promised.get("present").get("value").asDouble()).isZero();
+        assertThat(page).contains("Past the four radars of the scene, a route remains on which none of them detects");
+        assertThat(promised.get("front")).hasSize(1);
+        assertThat(page)
+                .contains(String.format(
+                        Locale.ROOT,
+                        "every layout for less than %,d leaves a gap",
+                        promised.get("cost").asInt()));
     }
 
-    /** With this budget, a route remains past every layout on which nothing detects the drone. */
+    private static Pattern row(String from, String flown) {
+        return Pattern.compile("(?m)^" + from + " .* " + flown + " +\\d+\\.\\d s$");
+    }
+
+    private static String page() throws IOException {
+        return Files.readString(Path.of("src", "site", "markdown", "placement.md"));
+    }
+
+    /** With the receivers where the packaged placement has them, nothing detects the drone on a route from the east. */
     @Test
     void nothingIsBoughtThatGainsNothing() throws IOException {
-        PlacedLayout place = placeAgainstRoutes("45000");
+        PlacedLayout place = placeAgainstRoutes(false);
 
+        assertThat(page()).contains("buying nothing would do as well: a route from the east remains past every layout");
+        assertThat(place.outcome().out()).contains("Buying nothing would do as well");
         assertThat(place.promised().get("value").asDouble()).isZero();
         assertThat(place.promised().get("chosen")).isEmpty();
     }
 
-    private PlacedLayout placeAgainstRoutes(String budget) throws IOException {
+    /** With the lines of the page; on request, receivers are on its other line. */
+    private PlacedLayout placeAgainstRoutes(boolean isEast) throws IOException {
+        Matcher lines = Pattern.compile("(?m)^    (objective: weakest-route)\\n    (air: .*)\\n")
+                .matcher(page());
+        assertThat(lines.find()).isTrue();
+        Matcher line = Pattern.compile("(?m)^    (line: .*)$").matcher(page().substring(lines.end()));
+        assertThat(line.find()).isTrue();
         return place(
-                "objective: weakest-route\nair: {side: 1200 m, cell: 60 m, heights: [20 m, 60 m, 120 m]}\n",
-                "--budget=" + budget);
+                lines.group(1) + "\n" + lines.group(2) + "\n",
+                start -> isEast ? start.replaceFirst("(?m)line: \\{.*$", line.group(1)) : start,
+                "--budgets=12");
     }
 
     /**
@@ -198,7 +252,7 @@ class PlaceMonacoTest {
                 .isEqualTo(again.get("variants").get("layout"));
         assertThat(attacks.get("variants").get("today"))
                 .isEqualTo(again.get("variants").get("palace"));
-        String page = Files.readString(Path.of("src", "site", "markdown", "placement.md"));
+        String page = page();
         Matcher shares = Pattern.compile("\\d+\\.\\d \\(\\d+\\.\\d to \\d+\\.\\d\\)$", Pattern.MULTILINE)
                 .matcher(place.outcome().out());
         assertThat(shares.results())
