@@ -1,11 +1,13 @@
 package org.dronewatch.app.search;
 
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.route.RouteLayouts;
 import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.placement.route.WeakestRouteSearch;
@@ -20,6 +22,7 @@ import org.dronewatch.report.route.RouteResults;
 import org.dronewatch.route.FlightMode;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 
 /** Finds the layout against the weakest route, and flies the routes past it and past the scene's own sensors. */
 final class RoutePlaceFinder implements PlaceFinder {
@@ -73,10 +76,11 @@ final class RoutePlaceFinder implements PlaceFinder {
 
         private RoutePlaceResults results(
                 BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, boolean isSettled) {
+            Map<String, FlownLayout> lost = lost(front.best());
             BudgetFront<RoutePlacement> checked =
                     task.checked(front, LeftOut.PARTS, !front.best().isWithParts());
             return new RoutePlaceResults(
-                    task.checked(checked, LeftOut.FLIGHTS, isCut), layout, present, isCut, isSettled);
+                    task.checked(checked, LeftOut.FLIGHTS, isCut), layout, present, lost, isCut, isSettled);
         }
 
         /**
@@ -111,29 +115,53 @@ final class RoutePlaceFinder implements PlaceFinder {
         /** The routes past a layout as they are flown, and past the scene's own sensors; all are known afterwards. */
         private Optional<FlownLayout> layout(RoutePlacement best) {
             List<Integer> chosen = best.result().chosen();
-            if (chosen.isEmpty()) {
-                return Optional.empty();
-            }
-            if (!flown.containsKey(chosen) && !cuts()) {
+            if (!chosen.isEmpty() && !flown.containsKey(chosen) && !cuts()) {
                 flown.put(chosen, past(best));
             }
             Optional<FlownLayout> layout = flown.getOrDefault(chosen, Optional.empty());
-            if (layout.isPresent()
+            if ((chosen.isEmpty() || layout.isPresent())
                     && present.isEmpty()
                     && !task.plan().present().enabledSensors().isEmpty()
                     && !cuts()) {
                 present = flown(best, task.plan().present());
+                present.filter(one -> one.results().isComplete())
+                        .ifPresent(one -> layouts.learn(one.results().found()));
             }
             return layout;
         }
 
         private Optional<FlownLayout> past(RoutePlacement best) {
+            Optional<FlownLayout> past = past(best, best.chosen(), "the layout");
+            past.filter(one -> one.results().isComplete())
+                    .ifPresent(one -> layouts.learn(one.results().found()));
+            return past;
+        }
+
+        private Optional<FlownLayout> past(RoutePlacement best, List<SiteCandidate> sensors, String whom) {
             try {
-                return flown(best, Layout.of(task.plan(), best.chosen()));
+                return flown(best, Layout.of(task.plan(), sensors));
             } catch (InputException e) {
-                task.shown().notes().accept("the routes past the layout are not flown: " + e.getMessage());
+                task.shown().notes().accept("the routes past " + whom + " are not flown: " + e.getMessage());
                 return Optional.empty();
             }
+        }
+
+        /**
+         * The routes past the layout without each of the sensors whose loss is worst, by the name of that sensor: where
+         * the search finds all of these losses equally bad, flights may not. Without exposure there is nothing to fly.
+         */
+        private Map<String, FlownLayout> lost(RoutePlacement best) {
+            Map<String, FlownLayout> lost = new LinkedHashMap<>();
+            for (String name : best.worstLosses()) {
+                List<SiteCandidate> others = best.chosen().stream()
+                        .filter(one -> !one.name().equals(name))
+                        .toList();
+                if (best.withoutEach().get(name) > 0.0 && !others.isEmpty() && !cuts()) {
+                    past(best, others, "the layout without '" + PlainText.value(name) + "'")
+                            .ifPresent(flown -> lost.put(name, flown));
+                }
+            }
+            return lost;
         }
 
         /** Searches for the routes past a layout as a scene, as {@code route} does, and flies them. */
@@ -161,11 +189,7 @@ final class RoutePlaceFinder implements PlaceFinder {
                                 task.plan().sensors()),
                         Optional.empty(),
                         0);
-                if (results.isComplete()) {
-                    layouts.learn(results.found());
-                } else {
-                    isCut = true;
-                }
+                isCut |= !results.isComplete();
                 return Optional.of(new FlownLayout(inputs, results));
             } catch (CancellationException e) {
                 isCut = true;

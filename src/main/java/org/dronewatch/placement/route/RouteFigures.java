@@ -6,7 +6,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
+import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.BuyingOrder;
@@ -76,7 +78,23 @@ final class RouteFigures {
     }
 
     private RouteParts parts(RoutePlacement brief) {
-        return new RouteParts(alone(brief), without(brief), purchases(brief), present());
+        return new RouteParts(alone(brief), without(brief), purchases(brief), present(), remaining(brief));
+    }
+
+    /** Where nothing gains anything, the reason: no layout exposes a drone more than all candidates together. */
+    private List<DirectedRoute> remaining(RoutePlacement brief) {
+        return brief.value() == 0.0 ? rows.pastCandidates(affordable(plan)) : List.of();
+    }
+
+    /** The candidates that cost no more than the budget each, and those that are kept. */
+    static List<Integer> affordable(PlacePlan plan) {
+        return IntStream.range(0, plan.candidates().size())
+                .filter(number -> {
+                    Candidate one = plan.candidates().get(number).candidate();
+                    return one.fixed() || one.cost() <= plan.settings().budget();
+                })
+                .boxed()
+                .toList();
     }
 
     private Map<String, Double> alone(RoutePlacement brief) {

@@ -15,19 +15,23 @@ import org.dronewatch.placement.site.PresentLayout;
  * @param withoutEach by the name of each sensor, the value without that sensor; empty if it was not computed
  * @param purchases the order in which to buy the sensors, after those that are kept; empty if it was not computed
  * @param present the scene's own sensors; empty if it has none, or they were not assessed
+ * @param remaining where nothing gains anything: the weakest routes past all affordable candidates together, from each
+ *     direction under each condition, the weakest of all first; otherwise empty
  */
 public record RouteParts(
         Map<String, Double> alone,
         Map<String, Double> withoutEach,
         List<PlaceStep> purchases,
-        Optional<PresentLayout> present) {
+        Optional<PresentLayout> present,
+        List<DirectedRoute> remaining) {
     /** Without any. */
-    static final RouteParts NONE = new RouteParts(Map.of(), Map.of(), List.of(), Optional.empty());
+    static final RouteParts NONE = new RouteParts(Map.of(), Map.of(), List.of(), Optional.empty(), List.of());
 
     /** Copies the lists and maps. */
     public RouteParts {
         alone = Collections.unmodifiableMap(new LinkedHashMap<>(alone));
         withoutEach = Collections.unmodifiableMap(new LinkedHashMap<>(withoutEach));
         purchases = List.copyOf(purchases);
+        remaining = List.copyOf(remaining);
     }
 }

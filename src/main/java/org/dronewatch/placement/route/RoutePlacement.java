@@ -64,9 +64,37 @@ public record RoutePlacement(
         return known == null ? OptionalDouble.empty() : OptionalDouble.of(known);
     }
 
+    /**
+     * The weakest routes past all affordable candidates together, from each direction under each condition, the weakest
+     * of all first: no layout closes a gap that they leave. Empty if the layout gains anything.
+     */
+    public List<DirectedRoute> remaining() {
+        return parts.remaining();
+    }
+
+    /** The number of candidates that cost no more than the budget each, and of those that are kept. */
+    public int affordable() {
+        return RouteFigures.affordable(plan).size();
+    }
+
     @Override
     public Map<String, Double> withoutEach() {
         return parts.withoutEach();
+    }
+
+    /**
+     * The names of the sensors whose loss is worst, by the value that remains without each of them: several if these
+     * values are equal, as are all from {@link WeakestRouteSearch#ENOUGH} on. Empty if they were not computed.
+     */
+    public List<String> worstLosses() {
+        double least = withoutEach().values().stream()
+                .mapToDouble(Double::doubleValue)
+                .min()
+                .orElse(0.0);
+        return withoutEach().entrySet().stream()
+                .filter(one -> one.getValue() <= (1.0 + RouteFigures.ROUNDING) * least)
+                .map(Map.Entry::getKey)
+                .toList();
     }
 
     @Override

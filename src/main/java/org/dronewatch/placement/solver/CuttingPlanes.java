@@ -176,9 +176,12 @@ public final class CuttingPlanes {
             if (layouts.isEmpty() && (isInterrupted || limits.end().isStopped()) && !isProven) {
                 throw new CancellationException("ended before the first layout was compared with routes");
             }
-            return rows.best(layouts).map(layout -> {
+            boolean isComplete = isProven && !isInterrupted;
+            return rows.best(layouts).map(tried -> {
+                // Nothing is recommended for what it does not gain; a complete search may still compare costs.
+                boolean isUseless = !isComplete && value(tried) == 0.0 && problem.isAllowed(fixed());
+                List<Integer> layout = isUseless ? fixed() : tried;
                 double value = value(layout);
-                boolean isComplete = isProven && !isInterrupted;
                 PlacementResult result =
                         new PlacementResult(layout, value, Math.max(bound, value), problem.cost(layout), isComplete);
                 return new CutResult(problem, result, layouts.size());

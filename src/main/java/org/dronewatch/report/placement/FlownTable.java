@@ -16,7 +16,7 @@ final class FlownTable {
     private static final String ROW = "%-12s  %8s  %8s  %8s  %8s  %10s";
     private static final String NONE = "-";
 
-    private final FlownLayout layout;
+    private final Optional<FlownLayout> layout;
     private final Optional<FlownLayout> present;
     private final RoutePlacement best;
 
@@ -30,7 +30,7 @@ final class FlownTable {
      */
     record Pair(String from, Optional<SectorRoute> layout, Optional<SectorRoute> present, double response) {}
 
-    FlownTable(FlownLayout layout, Optional<FlownLayout> present, RoutePlacement best) {
+    FlownTable(Optional<FlownLayout> layout, Optional<FlownLayout> present, RoutePlacement best) {
         this.layout = layout;
         this.present = present;
         this.best = best;
@@ -90,7 +90,7 @@ final class FlownTable {
                 + " flown" + asItIs() + ":");
         lines.add(PlaceTable.text(ROW, "", "today", "", "layout", "", ""));
         lines.add(PlaceTable.text(ROW, "from", "search", "flown", "search", "flown", "time left"));
-        for (Pair pair : pairs(Optional.of(layout), present)) {
+        for (Pair pair : pairs(layout, present)) {
             List<Object> cells = new ArrayList<>(List.of(pair.from()));
             cells.addAll(figures(pair));
             lines.add(PlaceTable.text(ROW, cells.toArray()));
@@ -102,20 +102,20 @@ final class FlownTable {
     /** The weakest route past each layout in words, and how to fly them again. */
     List<String> words() {
         List<String> words = new ArrayList<>();
-        RouteTable.summary(layout.results(), layout.inputs()).forEach(line -> words.add(of("Past the layout", line)));
+        layout.ifPresent(flown -> RouteTable.summary(flown.results(), flown.inputs())
+                .forEach(line -> words.add(of("Past the layout", line))));
         present.map(flown -> RouteTable.summary(flown.results(), flown.inputs()).get(0))
                 .ifPresent(line -> words.add(of("Past today's sensors", line)));
         weaker().ifPresent(words::add);
-        words.add("'route layout.yaml " + SameRoute.options(best, layout.inputs()) + "' gives the figures of the layout"
-                + asItIs() + ", and a scene for each route.");
+        layout.ifPresent(flown -> words.add("'route layout.yaml " + SameRoute.options(best, flown.inputs())
+                + "' gives the figures of the layout" + asItIs() + ", and a scene for each route."));
         return words;
     }
 
     /** That a route of another layout is weaker than all that were found past this one; empty if none is, in print. */
     private Optional<String> weaker() {
         String known = RouteSentences.exposure(best.asItIs());
-        return layout.results()
-                .leastExposed()
+        return layout.flatMap(flown -> flown.results().leastExposed())
                 .map(route -> Math.min(WeakestRouteSearch.ENOUGH, route.route().exposure()))
                 .filter(found ->
                         best.asItIs() < found && !RouteSentences.exposure(found).equals(known))

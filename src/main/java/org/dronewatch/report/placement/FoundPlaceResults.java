@@ -1,6 +1,7 @@
 package org.dronewatch.report.placement;
 
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.PlacedLayout;
 
@@ -17,6 +18,16 @@ interface FoundPlaceResults extends PlaceResults {
     @Override
     default PlaceMeasure measure() {
         return found().measure();
+    }
+
+    @Override
+    default Optional<String> shortfall() {
+        return found().shortfall();
+    }
+
+    @Override
+    default Optional<String> worstLoss() {
+        return found().worstLoss();
     }
 
     /** The lines of the search; the tables of attacks are those of the command {@code campaign}. */

@@ -121,8 +121,16 @@ final class FrontWords {
         return PlaceTable.text("%.1f %%", PERCENT * fraction);
     }
 
-    /** A formatted number as an upper limit that would have to be exceeded: {@code more than 99.9 %}. */
+    /** Whether a formatted number has no upper limit but 100 %: {@code > 99.9 %}. */
+    static boolean isAboveAll(String number) {
+        return number.startsWith(ABOVE);
+    }
+
+    /**
+     * A formatted number as an upper limit that would have to be exceeded: {@code more than 95.8 %}. One that is all but
+     * 100 % is rounded up to that.
+     */
     static String moreThan(String number) {
-        return "more than " + (number.startsWith(ABOVE) ? number.substring(ABOVE.length()) : number);
+        return "more than " + (isAboveAll(number) ? percent(1.0) : number);
     }
 }

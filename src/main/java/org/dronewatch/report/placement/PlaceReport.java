@@ -52,11 +52,15 @@ final class PlaceReport {
     /** The pictures by the names of their files: the plot of value over cost, and those of the objective. */
     Map<String, Figure> pictures() throws IOException {
         Map<String, Figure> pictures = new LinkedHashMap<>();
-        pictures.put(
-                FRONT,
-                Figure.of(
-                        "The value of the best layouts versus their cost, and the most that any layout could achieve.",
-                        Charts.picture(new FrontPicture(results.front(), measure).chart())));
+        // A plot of nothing but the origin says nothing.
+        if (best.result().cost() > 0.0 || best.value() > 0.0) {
+            pictures.put(
+                    FRONT,
+                    Figure.of(
+                            "The value of the best layouts versus their cost, and the most that any layout could"
+                                    + " achieve.",
+                            Charts.picture(new FrontPicture(results.front(), measure).chart())));
+        }
         pictures.putAll(chapter.pictures());
         return pictures;
     }

@@ -2,6 +2,7 @@ package org.dronewatch.report.placement;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.BudgetFront;
 import org.dronewatch.placement.site.LeftOut;
@@ -36,6 +37,19 @@ public interface PlaceResults {
 
     /** Describes the values of the objective in words. */
     PlaceMeasure measure();
+
+    /**
+     * What the layout achieves by a closer look than that of the search, where it is less than the search promises, in a
+     * sentence; empty if it is not less, or there is no closer look.
+     */
+    default Optional<String> shortfall() {
+        return Optional.empty();
+    }
+
+    /** What remains without the sensor whose loss is worst, in a sentence; empty if it is not known. */
+    default Optional<String> worstLoss() {
+        return new PlaceTable(best(), measure()).worstLoss();
+    }
 
     /** The lines of the results: tables and sentences. */
     List<String> lines();

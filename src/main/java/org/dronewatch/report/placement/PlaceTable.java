@@ -79,13 +79,16 @@ final class PlaceTable {
     Optional<String> nothing() {
         boolean isBought =
                 layout.chosen().stream().anyMatch(sensor -> !sensor.candidate().fixed());
-        return isBought || layout.plan().settings().budget() == 0.0 || !layout.complete()
+        return isBought || layout.plan().settings().budget() == 0.0
                 ? Optional.empty()
                 : Optional.of(unaffordable().orElseGet(this::useless));
     }
 
     /** That no layout gains anything, in a sentence which names the fold, a likely cause. */
     private String useless() {
+        if (!layout.complete()) {
+            return "So far, no layout was found that gains anything: nothing is bought.";
+        }
         int fold = layout.plan().settings().conditions().fold();
         boolean isProven = layout.bound() <= layout.value();
         return "Buying nothing would do as well: " + (fold > 1 ? "with a conditions.fold of " + fold + ", " : "")

@@ -25,27 +25,47 @@ final class PlaceWords {
     /** What the layout achieves, how much better any could be, what less money buys, today, and after a loss. */
     String verdict() {
         if (best.chosen().isEmpty()) {
-            return new PlaceTable(best, measure).nothing().orElse("No sensor that the budget allows covers anything.");
+            return new PlaceTable(best, measure).nothing().orElse("No sensor that the budget allows covers anything.")
+                    + today().map(sentence -> " " + sentence).orElse("");
         }
         List<String> sentences = new ArrayList<>();
         int sensors = best.chosen().size();
-        sentences.add("The best layout that was found has " + Counted.of(sensors, "sensor")
-                + " for " + amount(best.result().cost()) + " and " + measure.claim(true, best.value())
-                + measure.whole() + "; no layout for "
-                + amount(best.plan().settings().budget())
-                + " can achieve " + FrontWords.moreThan(measure.text(best.bound())) + ".");
+        String layout = "The best layout that was found has " + Counted.of(sensors, "sensor") + " for "
+                + amount(best.result().cost());
+        Optional<String> shortfall = results.shortfall();
+        if (shortfall.isPresent()) {
+            sentences.add(layout + ".");
+            sentences.add(shortfall.get());
+            sentences.add("By this estimate, " + limit() + "; as flown, another may.");
+        } else {
+            sentences.add(
+                    layout + " and " + measure.claim(true, best.value()) + measure.whole() + "; " + limit() + ".");
+        }
         PlaceTable table = new PlaceTable(best, measure);
         table.uncued().ifPresent(sentences::add);
         table.nothing().ifPresent(sentences::add);
         table.byCondition().ifPresent(sentences::add);
-        best.present()
-                .ifPresent(own -> sentences.add("Today's " + PlaceTable.counted(own) + " "
-                        + measure.claim(own.sensors() == 1, own.value()) + table.worse(own) + "."));
+        today().ifPresent(sentences::add);
         cheaper()
                 .ifPresent(point -> sentences.add("The best layout for " + amount(point.cost()) + " "
                         + measure.claim(true, point.layout().value()) + "."));
-        table.worstLoss().ifPresent(sentences::add);
+        results.worstLoss().ifPresent(sentences::add);
         return String.join(" ", sentences);
+    }
+
+    private Optional<String> today() {
+        return best.present()
+                .map(own -> "Today's " + PlaceTable.counted(own) + " " + measure.claim(own.sensors() == 1, own.value())
+                        + new PlaceTable(best, measure).worse(own) + ".");
+    }
+
+    /** What no layout for the budget can achieve. */
+    private String limit() {
+        String budget = amount(best.plan().settings().budget());
+        return measure.text(best.bound()).equals(measure.text(best.value()))
+                        && FrontWords.isAboveAll(measure.text(best.bound()))
+                ? "no layout for " + budget + " achieves noticeably more"
+                : "no layout for " + budget + " can achieve " + FrontWords.moreThan(measure.text(best.bound()));
     }
 
     /** The cheapest layout that is worth nearly as much; empty if that is the best itself. */

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.plan.PlacePlan;
@@ -37,29 +38,39 @@ final class RouteChapter {
     PlaceChapter chapter() throws IOException {
         Map<String, Figure> pictures = new LinkedHashMap<>();
         List<PlaceChapter.Section> sections = new ArrayList<>();
-        if (results.layout().isPresent()) {
-            FlownLayout layout = results.layout().get();
+        if (results.layout().isPresent() || results.present().isPresent()) {
             int[] ground = MapSheet.ground(stage.world(), best.grid());
-            pictures.put("routes.png", map(layout, "best layout", ground));
+            if (results.layout().isPresent()) {
+                pictures.put("routes.png", map(results.layout().get(), "best layout", ground));
+            }
             if (results.present().isPresent()) {
                 pictures.put("routes-today.png", map(results.present().get(), "today's layout", ground));
             }
             sections.add(new PlaceChapter.Section(
-                    "The weakest routes", routes(layout) + PlaceReport.figures(pictures, name -> true)));
+                    "The weakest routes", routes() + PlaceReport.figures(pictures, name -> true)));
         }
-        String verdict = new RouteSentences(best).lower()
+        RouteSentences sentences = new RouteSentences(best, results.shortfall().isPresent());
+        String verdict = (best.value() == 0.0 ? remaining(sentences) + " " : "")
+                + sentences.lower()
                 + results.unsettled().map(sentence -> " " + sentence).orElse("");
         return new PlaceChapter(verdict, pictures, sections, scope());
     }
 
-    private String routes(FlownLayout layout) {
+    /** The route that remains where nothing gains anything, and what could be closed. */
+    private static String remaining(RouteSentences sentences) {
+        return Stream.of(Optional.of(sentences.weakest()), sentences.points(), sentences.remaining())
+                .flatMap(Optional::stream)
+                .collect(Collectors.joining(" "));
+    }
+
+    private String routes() {
         List<List<String>> rows = new ArrayList<>();
         for (FlownTable.Pair pair : FlownTable.pairs(results.layout(), results.present())) {
             List<String> row = new ArrayList<>(List.of(pair.from()));
             row.addAll(FlownTable.figures(pair));
             rows.add(row);
         }
-        FlownTable table = new FlownTable(layout, results.present(), best);
+        FlownTable table = new FlownTable(results.layout(), results.present(), best);
         List<String> head = new ArrayList<>(List.of("from"));
         head.addAll(FlownTable.heads());
         return Html.plain(

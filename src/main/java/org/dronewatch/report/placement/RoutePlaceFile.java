@@ -1,8 +1,11 @@
 package org.dronewatch.report.placement;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.placement.route.DirectedRoute;
 import org.dronewatch.placement.route.RoutePlacement;
+import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.search.WeakestRoute;
@@ -15,12 +18,25 @@ final class RoutePlaceFile {
 
     /** Adds the weakest route past the layout, as the search found it, and the condition, if there are any. */
     static void addRoute(ObjectNode node, RoutePlacement placement) {
-        WeakestRoute route = placement.weakest().route();
+        add(node, placement.weakest(), placement.lower(), placement);
+    }
+
+    /** Adds the weakest routes past all affordable candidates, from each direction. */
+    static void addRemaining(ArrayNode array, RoutePlacement placement) {
+        for (DirectedRoute one : placement.remaining()) {
+            ObjectNode node = array.addObject();
+            node.put("sector", CompassPoint.of(one.bearing()));
+            add(node, one, one.route().lower(), placement);
+        }
+    }
+
+    private static void add(ObjectNode node, DirectedRoute directed, double lower, RoutePlacement placement) {
+        WeakestRoute route = directed.route();
         if (!placement.byCondition().isEmpty()) {
-            node.put("condition", placement.weakest().condition().orElse(null));
+            node.put("condition", directed.condition().orElse(null));
         }
         node.put("exposure", Numbers.rounded(route.exposure()));
-        node.put("lower", Numbers.rounded(placement.lower()));
+        node.put("lower", Numbers.rounded(lower));
         node.put("p_detect", Numbers.rounded(route.detection()));
         node.put("duration_s", Numbers.rounded(route.seconds()));
         ArrayNode points = node.putArray("points");
@@ -41,6 +57,21 @@ final class RoutePlaceFile {
             node.put("sector", pair.from());
             put(node, "layout", pair.layout(), pair.response());
             put(node, "present", pair.present(), pair.response());
+        }
+    }
+
+    /** Adds the direction of a route, and the probability that the drone is detected in time on it, as flown. */
+    static void addInTime(ObjectNode node, SectorRoute route, FlownLayout flown) {
+        node.put("sector", CompassPoint.of(route.bearing()));
+        node.put("p_in_time", Numbers.rounded(flown.inTime(route)));
+    }
+
+    /** Adds, by the sensor that is lost, the weakest route past the others, as flown. */
+    static void addLosses(ArrayNode array, List<FlownPromise.Loss> losses) {
+        for (FlownPromise.Loss loss : losses) {
+            ObjectNode node = array.addObject();
+            node.put("sensor", loss.sensor());
+            addInTime(node, loss.route(), loss.flown());
         }
     }
 

@@ -2,7 +2,10 @@ package org.dronewatch.report.placement;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.dronewatch.placement.SolverLimits;
@@ -20,6 +23,8 @@ import tools.jackson.databind.node.ObjectNode;
  * @param layout the routes past the layout, as flown; empty if the layout has no sensor, its scene would be
  *     inconsistent, or the search was interrupted, or its time was over, before they were computed
  * @param present the routes past the scene's own sensors, as flown; empty if it has none, or for the reasons above
+ * @param lost by the name of a sensor whose loss is worst, the routes past the others, as flown; none where the search
+ *     has found a route past the others on which nothing detects the drone, or for the reasons above
  * @param isCut whether an interruption or the time limit has left out either of these
  * @param isSettled whether the figures hold for all routes that flights have shown: if not, the layouts were compared
  *     as often as they may be
@@ -28,13 +33,19 @@ public record RoutePlaceResults(
         BudgetFront<RoutePlacement> front,
         Optional<FlownLayout> layout,
         Optional<FlownLayout> present,
+        Map<String, FlownLayout> lost,
         boolean isCut,
         boolean isSettled)
         implements PlaceResults {
+    /** Copies the map. */
+    public RoutePlaceResults {
+        lost = Collections.unmodifiableMap(new LinkedHashMap<>(lost));
+    }
+
     /** Results of a search that was not interrupted while routes were flown. */
     public RoutePlaceResults(
             BudgetFront<RoutePlacement> front, Optional<FlownLayout> layout, Optional<FlownLayout> present) {
-        this(front, layout, present, false, true);
+        this(front, layout, present, Map.of(), false, true);
     }
 
     @Override
@@ -47,8 +58,9 @@ public record RoutePlaceResults(
         return front.isInterrupted()
                 || !front.isWithout(LeftOut.FLIGHTS)
                         && (isCut
-                                || Stream.of(layout, present)
-                                        .flatMap(Optional::stream)
+                                || Stream.concat(
+                                                Stream.of(layout, present).flatMap(Optional::stream),
+                                                lost.values().stream())
                                         .anyMatch(flown -> !flown.results().isComplete()));
     }
 
@@ -59,7 +71,7 @@ public record RoutePlaceResults(
 
     @Override
     public PlaceResults without(LeftOut part, SolverLimits limits) {
-        return new RoutePlaceResults(front.without(part, limits), layout, present, isCut, isSettled);
+        return new RoutePlaceResults(front.without(part, limits), layout, present, lost, isCut, isSettled);
     }
 
     @Override
@@ -67,20 +79,38 @@ public record RoutePlaceResults(
         return PlaceMeasure.of(best().plan());
     }
 
+    private FlownPromise promise() {
+        return new FlownPromise(best(), layout, lost);
+    }
+
+    @Override
+    public Optional<String> shortfall() {
+        return promise().shortfall();
+    }
+
+    @Override
+    public Optional<String> worstLoss() {
+        return promise().worstLoss();
+    }
+
     @Override
     public List<String> lines() {
         PlaceTable table = new PlaceTable(best(), measure());
-        List<String> lines = new ArrayList<>(table.lines());
+        List<String> lines = new ArrayList<>();
+        shortfall().ifPresent(lines::add);
+        lines.addAll(table.lines());
         lines.add("");
         table.nothing().ifPresent(lines::add);
         table.late().ifPresent(lines::add);
-        lines.addAll(new RouteSentences(best()).lines());
+        lines.addAll(new RouteSentences(best(), shortfall().isPresent()).lines());
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
-        table.worstLoss().ifPresent(lines::add);
+        worstLoss().ifPresent(lines::add);
         lines.addAll(new FrontWords(measure()).lines(front));
         unsettled().ifPresent(lines::add);
-        layout.ifPresent(flown -> lines.addAll(new FlownTable(flown, present, best()).lines()));
+        if (layout.isPresent() || present.isPresent()) {
+            lines.addAll(new FlownTable(layout, present, best()).lines());
+        }
         return lines;
     }
 
@@ -95,12 +125,22 @@ public record RoutePlaceResults(
 
     @Override
     public ObjectNode toJson() {
-        return PlaceFile.of(this, terms -> {}, PlaceFile.conditions(best()), more -> {
+        return PlaceFile.of(this, terms -> {}, this::addFlown, more -> {
             RoutePlaceFile.addRoute(more.putObject("route"), best());
+            RoutePlaceFile.addRemaining(more.putArray("remaining"), best());
             more.put("rounds", best().rounds());
             more.put("routes", best().routes());
             RoutePlaceFile.addFlown(more.putArray("flown"), layout, present);
+            RoutePlaceFile.addLosses(more.putArray("flown_losses"), promise().losses());
         });
+    }
+
+    /** What flights past the layout show stands beside its value. */
+    private void addFlown(ObjectNode root) {
+        layout.flatMap(FlownLayout::weakest)
+                .ifPresent(route ->
+                        RoutePlaceFile.addInTime(root.putObject("weakest_flown"), route, layout.orElseThrow()));
+        PlaceFile.conditions(best()).accept(root);
     }
 
     @Override

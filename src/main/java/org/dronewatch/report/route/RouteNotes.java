@@ -54,6 +54,11 @@ final class RouteNotes {
                 .toList();
     }
 
+    /** What the search does that makes it misjudge a route; empty if it does not. */
+    Optional<String> misjudgement(SectorRoute route, RouteSurvey survey) {
+        return search.misjudgement(route, survey.response());
+    }
+
     /** Warnings, one line each. */
     List<String> warnings(RouteSurvey survey) {
         return Stream.concat(tooShort(survey).stream(), search.misjudged(survey).stream())

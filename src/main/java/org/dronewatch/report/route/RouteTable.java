@@ -70,6 +70,14 @@ public final class RouteTable {
         return lines;
     }
 
+    /**
+     * What the search does that makes it misjudge the probability of a detection in time on one of the routes, as a
+     * predicate: {@code assesses each cell only at its middle}; empty if it does not misjudge it.
+     */
+    public static Optional<String> misjudgement(SectorRoute route, RouteResults results, RouteInputs inputs) {
+        return new RouteNotes(inputs).misjudgement(route, results.survey());
+    }
+
     private static String row(String name, SectorRoute route, RouteResults results, RouteInputs inputs) {
         RouteSurvey survey = results.survey();
         double response = survey.response();

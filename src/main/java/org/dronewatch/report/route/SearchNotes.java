@@ -64,6 +64,11 @@ final class SearchNotes {
                 + " percentage points";
     }
 
+    /** What the search does that makes it misjudge a route; empty if it does not. */
+    Optional<String> misjudgement(SectorRoute route, double response) {
+        return Misjudgement.inTime(route, response).map(cause -> reason(cause, List.of(route)));
+    }
+
     /** What the search does that makes it misjudge routes. */
     private String reason(Misjudgement cause, List<SectorRoute> routes) {
         String cells = "assesses each cell only at its middle";

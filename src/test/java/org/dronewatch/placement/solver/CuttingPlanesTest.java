@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.RowOracle;
@@ -42,5 +43,35 @@ class CuttingPlanesTest {
         assertThat(after.result().value()).isEqualTo(1.5);
         assertThat(after.result().bound()).isEqualTo(1.5);
         assertThat(after.rounds()).isEqualTo(2);
+    }
+
+    /** Past the first layout that is tried, a row remains in which it is worth nothing: then the user ends the search. */
+    @Test
+    void whatGainsNothingIsNotGivenAsTheBestSoFar() {
+        List<Candidate> candidates = List.of(new Candidate("A", 1.0), new Candidate("B", 1.0));
+        RowOracle oracle = new RowOracle() {
+            @Override
+            public List<double[]> weakest(List<Integer> chosen) {
+                return List.of(chosen.isEmpty() ? new double[] {3.0, 2.0} : new double[] {0.0, 0.0});
+            }
+
+            @Override
+            public List<double[]> known() {
+                return List.of();
+            }
+        };
+        AtomicBoolean isStopped = new AtomicBoolean();
+        SolverLimits limits = new SolverLimits(0.0, Double.POSITIVE_INFINITY, isStopped::get);
+        CutResult found = new CuttingPlanes(
+                        candidates, PlacementConditions.NONE.withBudget(2.0), oracle, new ExactSolver(), 10.0)
+                .solve(limits, round -> isStopped.set(true))
+                .orElseThrow();
+
+        assertThat(found.rounds()).isEqualTo(1);
+        assertThat(found.result().complete()).isFalse();
+        assertThat(found.result().chosen()).isEmpty();
+        assertThat(found.result().cost()).isZero();
+        assertThat(found.result().value()).isZero();
+        assertThat(found.result().bound()).isEqualTo(5.0);
     }
 }

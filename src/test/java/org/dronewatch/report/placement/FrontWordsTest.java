@@ -18,4 +18,11 @@ class FrontWordsTest {
                         "No layout complies with the conditions for these budgets, which were also tried: 20\u202f000 and"
                                 + " 45\u202f000.");
     }
+
+    /** 99.97 % is more than 99.9 %. */
+    @Test
+    void whatIsPrintedAsAlmostAllHasNoLowerLimit() {
+        assertThat(FrontWords.moreThan(FrontWords.percent(0.958))).isEqualTo("more than 95.8 %");
+        assertThat(FrontWords.moreThan(FrontWords.percent(0.9997))).isEqualTo("more than 100.0 %");
+    }
 }

@@ -1,0 +1,123 @@
+package org.dronewatch.report.placement;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.dronewatch.placement.plan.LossSettings;
+import org.dronewatch.placement.route.RoutePlacement;
+import org.dronewatch.route.SectorRoute;
+import org.dronewatch.setting.Quantity;
+
+/**
+ * What the search promises of a layout against the weakest route, held against what flights past it show, and past what
+ * remains of it after a loss.
+ *
+ * @param best the layout
+ * @param layout the routes past it, as flown; empty if they were not
+ * @param lost by the name of a sensor, the routes past the others, as flown
+ */
+record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<String, FlownLayout> lost) {
+    /**
+     * A loss, and the route on which the drone is then least likely to be detected in time.
+     *
+     * @param sensor that is lost
+     * @param flown the routes past the others
+     * @param route the weakest of them, as flown
+     */
+    record Loss(String sensor, FlownLayout flown, SectorRoute route) {
+        double inTime() {
+            return flown.inTime(route);
+        }
+    }
+
+    /** The weakest route as flown, if the drone is less likely to be detected there, in print, than promised. */
+    Optional<SectorRoute> broken() {
+        return layout.flatMap(flown -> flown.weakest()
+                .filter(route -> flown.inTime(route) < detection())
+                .filter(route -> !FrontWords.percent(flown.inTime(route)).equals(promised())));
+    }
+
+    private double detection() {
+        return RoutePlacement.detection(best.value());
+    }
+
+    private String promised() {
+        return FrontWords.percent(detection());
+    }
+
+    /** What flights show where that is less than the search promises, in a sentence; empty if it is not. */
+    Optional<String> shortfall() {
+        return broken().map(route -> "As flown, the layout detects the drone in time with a probability of only "
+                + FrontWords.percent(layout.orElseThrow().inTime(route)) + " on the weakest route past it, "
+                + FlownLayout.from(route) + "; the search estimates " + promised()
+                + layout.orElseThrow().because(route, "it") + ".");
+    }
+
+    /** What remains without the sensors whose loss is worst, in sentences; empty if it is not known. */
+    Optional<String> worstLoss() {
+        Map<String, Double> without = best.withoutEach();
+        return without.values().stream().min(Double::compare).map(least -> {
+            List<String> worst = best.worstLosses();
+            return "Without " + either(worst) + whose(worst, without.size())
+                    + ", the layout detects the drone with a probability of "
+                    + FrontWords.percent(RoutePlacement.detection(least))
+                    + " on the weakest route past it, as the search estimates it."
+                    + flownLoss().orElse("");
+        });
+    }
+
+    private static String either(List<String> names) {
+        return names.size() == 1
+                ? names.get(0)
+                : String.join(", ", names.subList(0, names.size() - 1)) + " or " + names.get(names.size() - 1);
+    }
+
+    private static String whose(List<String> worst, int all) {
+        if (worst.size() == 1) {
+            return all == 1 ? "" : ", whose loss is worst";
+        }
+        return worst.size() == all ? "" : ", whose losses are equally bad and the worst";
+    }
+
+    /** What flights show of the losses that were flown, the worst of them, in sentences; empty if none was. */
+    private Optional<String> flownLoss() {
+        List<Loss> all = losses();
+        return all.stream().min(Comparator.comparingDouble(Loss::inTime)).map(least -> {
+            String chance = "with a probability of " + FrontWords.percent(least.inTime()) + ", "
+                    + FlownLayout.from(least.route()) + least.flown().because(least.route(), "the search") + ".";
+            String sentence = all.size() == 1
+                    ? " As flown without " + least.sensor() + ", the drone is detected in time " + chance
+                    : " As flown without each of them, the drone is least likely to be detected in time without "
+                            + either(alike(all, least)) + ": " + chance;
+            return needed().stream().anyMatch(fraction -> least.inTime() < fraction)
+                    ? sentence + " This is less than the " + Quantity.NUMBER.inWords(needed().getAsDouble())
+                            + " that conditions.anyoneLost.atLeast asks for."
+                    : sentence;
+        });
+    }
+
+    /** The sensors whose losses are, in print, as bad as the worst. */
+    private static List<String> alike(List<Loss> all, Loss worst) {
+        return all.stream()
+                .filter(one -> FrontWords.percent(one.inTime()).equals(FrontWords.percent(worst.inTime())))
+                .map(Loss::sensor)
+                .toList();
+    }
+
+    /** The losses that were flown. */
+    List<Loss> losses() {
+        List<Loss> all = new ArrayList<>();
+        lost.forEach((sensor, flown) -> flown.weakest().ifPresent(route -> all.add(new Loss(sensor, flown, route))));
+        return all;
+    }
+
+    /** The probability of a detection that must remain after a loss; empty if none is asked for. */
+    private OptionalDouble needed() {
+        return best.plan().settings().conditions().anyoneLost().stream()
+                .mapToDouble(LossSettings::fraction)
+                .findFirst();
+    }
+}
