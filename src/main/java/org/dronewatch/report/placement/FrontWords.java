@@ -127,8 +127,8 @@ final class FrontWords {
     }
 
     /**
-     * A formatted number as an upper limit that would have to be exceeded: {@code more than 95.8 %}. One that is all but
-     * 100 % is rounded up to that.
+     * A formatted number as an upper limit that would have to be exceeded: {@code more than 95.8 %}. One that is all
+     * but 100 % is rounded up to that.
      */
     static String moreThan(String number) {
         return "more than " + (isAboveAll(number) ? percent(1.0) : number);

@@ -39,8 +39,8 @@ public interface PlaceResults {
     PlaceMeasure measure();
 
     /**
-     * What the layout achieves by a closer look than that of the search, where it is less than the search promises, in a
-     * sentence; empty if it is not less, or there is no closer look.
+     * What the layout achieves by a closer look than that of the search, where it is less than the search promises, in
+     * a sentence; empty if it is not less, or there is no closer look.
      */
     default Optional<String> shortfall() {
         return Optional.empty();

@@ -45,7 +45,7 @@ class CuttingPlanesTest {
         assertThat(after.rounds()).isEqualTo(2);
     }
 
-    /** Past the first layout that is tried, a row remains in which it is worth nothing: then the user ends the search. */
+    /** Past the first layout that is tried, a row remains in which it is worth nothing: then the search is ended. */
     @Test
     void whatGainsNothingIsNotGivenAsTheBestSoFar() {
         List<Candidate> candidates = List.of(new Candidate("A", 1.0), new Candidate("B", 1.0));
