@@ -58,7 +58,7 @@ public final class WarningMap {
         }
         sheet.line("shortest warning before it arrives:");
         sheet.space();
-        sheet.outline(ProtectedOutlines.circle(warnings.target(), warnings.reach()), START, 0);
+        sheet.outline(ProtectedOutlines.circle(warnings.target(), warnings.reach()), START);
         double[] heights = WarningTable.heights(warnings);
         for (int i = 0; i < heights.length; i++) {
             double height = heights[i];
@@ -70,11 +70,11 @@ public final class WarningMap {
             sheet.sample(layer, FieldPictures.metres(height) + ": " + WarningTable.leastAndOthers(its));
         }
         for (List<Position> zone : ProtectedOutlines.of(site.stage().protection())) {
-            sheet.outline(zone, Color.BLACK, 0);
+            sheet.outline(zone, Color.BLACK);
         }
-        sheet.sample(START, 0, "where the flights begin");
+        sheet.sample(START, "where the flights begin");
         if (warnings.isZone()) {
-            sheet.sample(Color.BLACK, 0, "protected zone");
+            sheet.sample(Color.BLACK, "protected zone");
         }
         if (Arrays.stream(below).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
             sheet.entry((u, v, any) -> pale(u, v, ReliefShade.NOTHING), "height of the ground unknown");

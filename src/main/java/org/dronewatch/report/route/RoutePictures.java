@@ -37,7 +37,7 @@ public final class RoutePictures {
         sheet.drawMap(
                 ground, (column, row) -> (u, v, below) -> ColourMix.of(below, Color.WHITE, 0.25), inputs.sensors());
         for (List<Position> zone : ProtectedOutlines.of(stage.protection())) {
-            sheet.outline(zone, ZONE, 0);
+            sheet.outline(zone, ZONE);
         }
         survey.routes().forEach(route -> draw(sheet, route));
         survey.routes().forEach(route -> slow(sheet, route, survey));
@@ -109,7 +109,7 @@ public final class RoutePictures {
             sheet.sample(style.colour(), style.width(), style.words());
         }
         if (ModeWords.areSlow(survey)) {
-            sheet.sample(Color.BLACK, 1, "slowed to " + ModeWords.slowSpeeds(survey));
+            sheet.sampleDashes("slowed to " + ModeWords.slowSpeeds(survey));
         }
         if (ModeWords.areGlides(survey)) {
             sheet.squareSample("motors off from here");
@@ -123,7 +123,7 @@ public final class RoutePictures {
         }
         sheet.space();
         if (!stage.protection().isEmpty()) {
-            sheet.sample(ZONE, 0, "protected zone");
+            sheet.sample(ZONE, "protected zone");
         }
         sheet.line("cells of " + Numbers.text(inputs.grid().cell()) + " m");
     }

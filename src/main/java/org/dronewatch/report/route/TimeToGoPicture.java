@@ -76,7 +76,7 @@ final class TimeToGoPicture {
         MapSheet sheet = new MapSheet(inputs.grid());
         sheet.drawMap(ground, (column, row) -> this::colour, inputs.sensors());
         for (List<Position> zone : ProtectedOutlines.of(stage.protection())) {
-            sheet.outline(zone, ZONE, 0);
+            sheet.outline(zone, ZONE);
         }
         sheet.title(inputs.scene());
         sheet.line("shortest time that the drone '" + inputs.drone() + "'");
@@ -98,7 +98,7 @@ final class TimeToGoPicture {
             sheet.line("line, an alert comes too late");
         }
         if (!stage.protection().isEmpty()) {
-            sheet.sample(ZONE, 0, "protected zone");
+            sheet.sample(ZONE, "protected zone");
         }
         sheet.credits(stage.credits());
         sheet.caption("The time that the drone needs to reach " + inputs.targetInWords() + " by the fastest route"

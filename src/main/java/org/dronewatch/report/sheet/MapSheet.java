@@ -33,7 +33,6 @@ public final class MapSheet {
     private static final int SMALL_LINE = 16;
     private static final int SWATCH_WIDTH = 22;
     private static final int SWATCH_HEIGHT = 16;
-    private static final int SQUARE = 5;
     private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 19);
     private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
     private static final Font SMALL = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
@@ -105,13 +104,9 @@ public final class MapSheet {
         return (int) Math.round(0.5 * MAP - (at.y() - grid.north()) / side * MAP);
     }
 
-    /**
-     * Draws a closed line on the map.
-     *
-     * @param style a number by which lines differ even in black and white: 0 is solid, other numbers are dashed
-     */
-    public void outline(List<Position> corners, Color colour, int style) {
-        outline(corners, colour, stroke(style));
+    /** Draws a closed line on the map. */
+    public void outline(List<Position> corners, Color colour) {
+        outline(corners, colour, MapMarks.SOLID);
     }
 
     /** Draws a closed line on the map that others may lie on. */
@@ -135,9 +130,9 @@ public final class MapSheet {
         draw(points, colour, new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     }
 
-    /** Draws dashes over an open line on the map, {@linkplain #sample(Color, int, String) sampled} as style 1. */
+    /** Draws black dashes over an open line on the map. */
     public void dashes(List<Position> points) {
-        draw(points, Color.BLACK, stroke(1));
+        draw(points, Color.BLACK, MapMarks.DASHES);
     }
 
     private void draw(List<Position> points, Color colour, BasicStroke stroke) {
@@ -171,73 +166,58 @@ public final class MapSheet {
 
     /** Marks a point on the map with a white square. */
     public void square(Position at) {
-        square(column(at), row(at));
-    }
-
-    private void square(int u, int v) {
-        g.setColor(Color.WHITE);
-        g.fillRect(u - SQUARE, v - SQUARE, 2 * SQUARE, 2 * SQUARE);
-        g.setColor(Color.BLACK);
-        g.setStroke(new BasicStroke(2f));
-        g.drawRect(u - SQUARE, v - SQUARE, 2 * SQUARE, 2 * SQUARE);
+        MapMarks.square(g, column(at), row(at));
     }
 
     /** Writes a legend entry, preceded by a white square. */
     public void squareSample(String text) {
-        square(MAP + MARGIN + SWATCH_WIDTH, line - 5);
+        MapMarks.square(g, MAP + MARGIN + SWATCH_WIDTH, line - 5);
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 
     /** Writes a legend entry, preceded by a sample of a line with a black edge. */
     public void sample(Color colour, float width, String text) {
-        sample(Color.BLACK, new BasicStroke(width + 2f), 0);
-        sample(colour, new BasicStroke(width), 1);
-        write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
+        drawSample(Color.BLACK, new BasicStroke(width + 2f), 0);
+        sample(colour, new BasicStroke(width), 1, text);
     }
 
     /** Writes a legend entry, preceded by a sample of a line. */
-    public void sample(Color colour, int style, String text) {
-        sample(colour, stroke(style), 0);
-        write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
+    public void sample(Color colour, String text) {
+        sample(colour, MapMarks.SOLID, 0, text);
+    }
+
+    /** Writes a legend entry, preceded by a sample of black dashes. */
+    public void sampleDashes(String text) {
+        sample(Color.BLACK, MapMarks.DASHES, 0, text);
     }
 
     /** Writes a legend entry, preceded by a sample of a line that others may lie on. */
     public void sample(LineLayer layer, String text) {
-        sample(layer.colour(), layer.stroke(), 0);
+        sample(layer.colour(), layer.stroke(), 0, text);
+    }
+
+    private void sample(Color colour, BasicStroke stroke, int inset, String text) {
+        drawSample(colour, stroke, inset);
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 
-    private void sample(Color colour, BasicStroke stroke, int inset) {
+    private void drawSample(Color colour, BasicStroke stroke, int inset) {
         g.setColor(colour);
         g.setStroke(stroke);
         g.drawLine(MAP + MARGIN + inset, line - 5, MAP + MARGIN + 2 * SWATCH_WIDTH - inset, line - 5);
     }
 
-    private static BasicStroke stroke(int style) {
-        return style == 0
-                ? new BasicStroke(3f)
-                : new BasicStroke(
-                        2.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, new float[] {4f * style, 4f}, 0f);
-    }
-
     private void drawSensor(Position at) {
         if (new Rectangle(MAP, MAP).contains(column(at), row(at))) {
-            dot(column(at), row(at));
+            MapMarks.dot(g, column(at), row(at));
             showsSensors = true;
         }
-    }
-
-    private void dot(int u, int v) {
-        g.setColor(Color.WHITE);
-        g.fillOval(u - 6, v - 6, 12, 12);
-        g.setColor(Color.BLACK);
-        g.fillOval(u - 4, v - 4, 8, 8);
     }
 
     /** Explains the dots of sensors in the legend, if there are any on the map. */
     public void explainSensors() {
         if (showsSensors) {
-            dot(MAP + MARGIN + SWATCH_WIDTH / 2, line - SWATCH_HEIGHT / 2 + 2);
+            MapMarks.dot(g, MAP + MARGIN + SWATCH_WIDTH / 2, line - SWATCH_HEIGHT / 2 + 2);
             write("sensor", MAP + MARGIN + SWATCH_WIDTH + 12);
         }
     }

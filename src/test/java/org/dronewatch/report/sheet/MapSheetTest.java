@@ -60,7 +60,8 @@ class MapSheetTest {
             sheet.title(text);
             sheet.line(text);
             sheet.entry(CauseFills.INSIDE, text);
-            sheet.sample(Color.RED, 1, text);
+            sheet.sample(Color.RED, text);
+            sheet.sampleDashes(text);
             sheet.sample(Color.RED, 2f, text);
             sheet.squareSample(text);
             BufferedImage image = image(sheet);
