@@ -29,10 +29,10 @@ public final class CoverageTable {
     /** The area in which each sensor detects the drone, a line for each. */
     public static List<String> areas(Coverage coverage) {
         List<String> lines = new ArrayList<>();
-        lines.add(format(NAMES + " %12s", "sensor", "kind", "detected [ha]"));
+        lines.add(format(NAMES + " %13s", "sensor", "kind", "detected [ha]"));
         coverage.sensors()
                 .forEach((id, sensor) ->
-                        lines.add(format(NAMES + " %12.2f", id, sensor.kind(), 1e-4 * coverage.area(id))));
+                        lines.add(format(NAMES + " %13.2f", id, sensor.kind(), 1e-4 * coverage.area(id))));
         return lines;
     }
 
