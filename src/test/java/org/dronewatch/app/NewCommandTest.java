@@ -72,7 +72,7 @@ class NewCommandTest {
         assertThat(scene.world().buildings().orElseThrow().landCover()).isTrue();
         // The intruder is about as high as the mast, a little lower; its elevation is not -0.
         assertThat(Files.readString(directory.resolve("town/town.yaml")))
-                .contains("of the path is hidden.")
+                .containsPattern("of the path: \\d+ % of it is hidden\\.")
                 .contains("elevation: 0 deg}")
                 .doesNotContain("-0 ")
                 .doesNotContainPattern("\\.\\d{3,} m\\b");
