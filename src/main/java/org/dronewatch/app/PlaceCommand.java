@@ -161,10 +161,8 @@ final class PlaceCommand implements Callable<Integer> {
                         main.interruption(),
                         shown);
                 main.interruption().letFinish();
-                boolean hasScene = true;
-                if (target != null) {
-                    hasScene = target.write(results, provenance(given, plan), threads.number(), shown.notes());
-                }
+                boolean hasScene = target != null
+                        && target.write(results, provenance(given, plan), threads.number(), shown.notes());
                 return printed(results, hasScene);
             });
         }
@@ -176,7 +174,13 @@ final class PlaceCommand implements Callable<Integer> {
         Optional<AttackedPlaceResults> attacked =
                 results instanceof AttackedPlaceResults its ? Optional.of(its) : Optional.empty();
         json.print(results::toJson, target -> {
-            (hasScene ? results.lines() : results.linesWithoutScene()).forEach(target::println);
+            results.lines().forEach(target::println);
+            if (hasScene) {
+                attacked.map(AttackedPlaceResults::found)
+                        .orElse(results)
+                        .reproduction()
+                        .forEach(target::println);
+            }
             attacked.ifPresent(its -> {
                 target.println();
                 CampaignLines.print(its.plan(), its.result(), target);

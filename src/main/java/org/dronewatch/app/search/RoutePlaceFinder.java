@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.route.RouteLayouts;
 import org.dronewatch.placement.route.RoutePlacement;
@@ -116,25 +115,24 @@ final class RoutePlaceFinder implements PlaceFinder {
         private Optional<FlownLayout> layout(RoutePlacement best) {
             List<Integer> chosen = best.result().chosen();
             if (!chosen.isEmpty() && !flown.containsKey(chosen) && !cuts()) {
-                flown.put(chosen, past(best));
+                flown.put(chosen, learned(past(best, best.chosen(), "the layout")));
             }
             Optional<FlownLayout> layout = flown.getOrDefault(chosen, Optional.empty());
             if ((chosen.isEmpty() || layout.isPresent())
                     && present.isEmpty()
                     && !task.plan().present().enabledSensors().isEmpty()
                     && !cuts()) {
-                present = flown(best, task.plan().present());
-                present.filter(one -> one.results().isComplete())
-                        .ifPresent(one -> layouts.learn(one.results().found()));
+                present = learned(flown(best, task.plan().present()));
             }
             return layout;
         }
 
-        private Optional<FlownLayout> past(RoutePlacement best) {
-            Optional<FlownLayout> past = past(best, best.chosen(), "the layout");
-            past.filter(one -> one.results().isComplete())
-                    .ifPresent(one -> layouts.learn(one.results().found()));
-            return past;
+        /** The routes of a layout, which are known to the search for layouts from now on if they are complete. */
+        private Optional<FlownLayout> learned(Optional<FlownLayout> layout) {
+            layout.map(FlownLayout::results)
+                    .filter(RouteResults::isComplete)
+                    .ifPresent(results -> layouts.learn(results.found()));
+            return layout;
         }
 
         private Optional<FlownLayout> past(RoutePlacement best, List<SiteCandidate> sensors, String whom) {
@@ -172,7 +170,7 @@ final class RoutePlaceFinder implements PlaceFinder {
                     settings,
                     task.stage().protection(),
                     best.grid(),
-                    task.plan().settings().air().pointing().orElse(FieldTerms.Turning.SEARCH),
+                    task.plan().pointing(),
                     Optional.empty(),
                     Optional.empty());
             try {

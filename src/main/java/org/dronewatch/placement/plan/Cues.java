@@ -14,9 +14,9 @@ import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Mounted;
 
 /**
- * Which sensors cue those on positioners. A sensor that counts as turned to the drone has to be told where the drone
- * is, by one that measures directions: one of those that its positioner names or, if it names none, any other in the
- * layout but those on positioners that are themselves at rest until they are cued.
+ * Which sensors cue the sensors on positioners. To count as turned to the drone, a sensor needs a cue from one that
+ * measures directions: one of those that its positioner names or, if it names none, any other in the layout except
+ * those on positioners that are themselves at rest until they are cued.
  */
 public final class Cues {
     private final PlacePlan plan;
@@ -25,10 +25,7 @@ public final class Cues {
     /** The cues of a plan. */
     public Cues(PlacePlan plan) {
         this.plan = plan;
-        FieldTerms.Turning byDefault = plan.settings().objective() == PlaceObjective.WEAKEST_ROUTE
-                ? FieldTerms.Turning.SEARCH
-                : FieldTerms.Turning.CUED;
-        this.isCued = plan.settings().air().pointing().orElse(byDefault) == FieldTerms.Turning.CUED;
+        this.isCued = plan.pointing() == FieldTerms.Turning.CUED;
     }
 
     /** By the name of each candidate on a positioner that is not kept: those of which a layout needs one for it. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
@@ -56,6 +57,20 @@ public record PlacePlan(
     public PlacePlan {
         candidates = List.copyOf(candidates);
         conditions = List.copyOf(conditions);
+    }
+
+    /**
+     * Whether sensors on positioners have turned to the drone or search for it: unless the plan says otherwise, they
+     * search for drones on the weakest route, since nothing has cued them before the first detection, as {@code route}
+     * assumes, and have turned elsewhere.
+     */
+    public FieldTerms.Turning pointing() {
+        return settings.air()
+                .pointing()
+                .orElse(
+                        settings.objective() == PlaceObjective.WEAKEST_ROUTE
+                                ? FieldTerms.Turning.SEARCH
+                                : FieldTerms.Turning.CUED);
     }
 
     /** All sensors that the scene has today, and that a layout may have. */

@@ -121,8 +121,7 @@ final class RouteFields {
     SensorFields of(String name, SensorSettings<?> sensor, IntConsumer progress) {
         // A condition may change the scene's own sensors; the names of all others are new.
         SceneSettings alone = Layout.alone(scene, Map.of(name, scene.sensors().getOrDefault(name, sensor)));
-        FieldTerms terms = FieldTerms.ONE_LOOK.withPointing(
-                plan.settings().air().pointing().orElse(FieldTerms.Turning.SEARCH));
+        FieldTerms terms = FieldTerms.ONE_LOOK.withPointing(plan.pointing());
         List<ModeField> fields = new ArrayList<>();
         for (FlightMode mode : modes) {
             FieldRequest request = new FieldRequest(

@@ -9,7 +9,6 @@ import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.site.LeftOut;
 import org.dronewatch.report.campaign.CampaignFile;
 import org.dronewatch.report.campaign.ComparedVariants;
-import org.dronewatch.report.html.Html;
 import org.dronewatch.run.Stage;
 import org.dronewatch.setting.Counted;
 import tools.jackson.databind.node.ObjectNode;
@@ -52,7 +51,7 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
         List<PlaceChapter.Section> sections = new ArrayList<>(chapter.sections());
         sections.add(new PlaceChapter.Section(
                 "The same attacks against the layout" + (plan.variants().size() > 1 ? " and today's sensors" : ""),
-                variants.html() + Html.plain("p", sentence())));
+                variants.html()));
         List<String> scope = new ArrayList<>(chapter.scope());
         scope.add("The attacks are " + Counted.of(flown(), "run") + " of the scene with each layout, with values"
                 + " drawn at random: " + String.join(", ", plan.paths()) + ".");
@@ -64,6 +63,13 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
     /** The number of attacks that were flown against each layout. */
     private int flown() {
         return result.summary().variants().values().iterator().next().cases();
+    }
+
+    @Override
+    public List<String> reproduction() {
+        List<String> sentences = new ArrayList<>(found.reproduction());
+        sentences.add(sentence());
+        return sentences;
     }
 
     /** How to get the same figures of the campaign again. */

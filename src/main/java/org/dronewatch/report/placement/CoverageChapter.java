@@ -67,11 +67,7 @@ final class CoverageChapter {
                                 + FieldsTable.difference(fold)
                                         .map(sentence -> " " + sentence)
                                         .orElse(""))
-                + Html.table(head, rows)
-                + Html.plain(
-                        "p",
-                        "The command 'coverage layout.yaml " + SameCoverage.options(best)
-                                + "' gives the figures of the layout, and the reasons for its gaps.");
+                + Html.table(head, rows);
     }
 
     private static List<String> figures(HeightSummary height) {

@@ -54,9 +54,18 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
         lines.addAll(new FrontWords(measure()).lines(front));
         fields.ifPresent(its -> {
             lines.add("");
-            lines.addAll(FieldsTable.lines(its, best()));
+            lines.addAll(
+                    FieldsTable.lines(its, best().plan().settings().conditions().fold()));
         });
         return lines;
+    }
+
+    @Override
+    public List<String> reproduction() {
+        return fields.stream()
+                .map(its ->
+                        "'coverage layout.yaml " + SameCoverage.options(best()) + "' gives the figures of the layout.")
+                .toList();
     }
 
     @Override

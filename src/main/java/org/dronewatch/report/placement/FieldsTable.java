@@ -10,7 +10,6 @@ import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.Gap;
 import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
-import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.report.file.Numbers;
@@ -23,10 +22,13 @@ final class FieldsTable {
 
     private FieldsTable() {}
 
-    /** A table, the largest gap of the layout in a sentence, and how to assess it again. */
-    static List<String> lines(LayoutFields fields, SitePlacement placement) {
+    /**
+     * A table, and the largest gap of the layout in a sentence.
+     *
+     * @param fold number of sensors that must cover a cell for it to count in the search
+     */
+    static List<String> lines(LayoutFields fields, int fold) {
         List<String> lines = new ArrayList<>();
-        int fold = placement.plan().settings().conditions().fold();
         lines.add("coverage" + byOne(fold) + heading(fields)
                 + ", in % of the known cells, also after the worst loss of a sensor, and the" + " largest gap in ha:");
         lines.add(PlaceTable.text(ROW, "", "covered", "", "after loss", "", "gap", ""));
@@ -36,7 +38,6 @@ final class FieldsTable {
         }
         lines.add(worstPlace(fields.layout()));
         difference(fold).ifPresent(lines::add);
-        lines.add("'coverage layout.yaml " + SameCoverage.options(placement) + "' gives the figures of the layout.");
         return lines;
     }
 

@@ -82,7 +82,7 @@ final class FlownTable {
         return route.map(its -> FrontWords.percent(detection.apply(its))).orElse(NONE);
     }
 
-    /** A table after an empty line, the weakest routes in words, and how to fly them again. */
+    /** A table after an empty line, and the weakest routes in words. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add("");
@@ -99,7 +99,7 @@ final class FlownTable {
         return lines;
     }
 
-    /** The weakest route past each layout in words, and how to fly them again. */
+    /** The weakest route past each layout in words. */
     List<String> words() {
         List<String> words = new ArrayList<>();
         layout.ifPresent(flown -> RouteTable.summary(flown.results(), flown.inputs())
@@ -107,9 +107,13 @@ final class FlownTable {
         present.map(flown -> RouteTable.summary(flown.results(), flown.inputs()).get(0))
                 .ifPresent(line -> words.add(of("Past today's sensors", line)));
         weaker().ifPresent(words::add);
-        layout.ifPresent(flown -> words.add("'route layout.yaml " + SameRoute.options(best, flown.inputs())
-                + "' gives the figures of the layout" + asItIs() + ", and a scene for each route."));
         return words;
+    }
+
+    /** How to fly the routes past the layout again, in a sentence; empty if there are none. */
+    Optional<String> reproduction() {
+        return layout.map(flown -> "'route layout.yaml " + SameRoute.options(best, flown.inputs())
+                + "' gives the figures of the layout" + asItIs() + ", and a scene for each route.");
     }
 
     /** That a route of another layout is weaker than all that were found past this one; empty if none is, in print. */

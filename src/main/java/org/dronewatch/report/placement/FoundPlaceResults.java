@@ -35,4 +35,9 @@ interface FoundPlaceResults extends PlaceResults {
     default List<String> lines() {
         return found().lines();
     }
+
+    @Override
+    default List<String> reproduction() {
+        return found().reproduction();
+    }
 }

@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -61,10 +62,7 @@ public final class PlaceDirectory implements AutoCloseable {
         PlacePlan plan = results.best().plan();
         directory.write(() -> {
             Optional<SceneSettings> layout = writeCommon(results, provenance, threads, notes);
-            writeReport(
-                    results,
-                    layout.orElseGet(() -> Layout.alone(plan, results.best().chosen())),
-                    provenance.inWords(plan.present().run().seed(), threads));
+            writeReport(results, layout, provenance.inWords(plan.present().run().seed(), threads));
             directory.publish(directory.former(NUMBERS, FILES));
         });
         return Files.exists(target.resolve(SCENE));
@@ -90,7 +88,7 @@ public final class PlaceDirectory implements AutoCloseable {
         return layout;
     }
 
-    private void writeReport(PlaceResults results, SceneSettings layout, Map<String, String> provenance)
+    private void writeReport(PlaceResults results, Optional<SceneSettings> layout, Map<String, String> provenance)
             throws IOException {
         PlacePlan plan = results.best().plan();
         Stage stage = plan.runner().stage(plan.present());
@@ -100,7 +98,12 @@ public final class PlaceDirectory implements AutoCloseable {
             Files.write(directory.file(picture.getKey()), picture.getValue().png());
         }
         try (OutputStream page = Files.newOutputStream(directory.file("report.html"))) {
-            report.write(page, pictures, layout, provenance);
+            report.write(
+                    page,
+                    pictures,
+                    layout.orElseGet(() -> Layout.alone(plan, results.best().chosen())),
+                    Files.exists(directory.file(SCENE)) ? results.reproduction() : List.of(),
+                    provenance);
         }
     }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.SiteCandidate;
@@ -70,9 +71,15 @@ final class PlaceReport {
      *
      * @param pictures by the names of their files
      * @param layout the scene with the layout's sensors alone
+     * @param again which commands give the figures again, in sentences
      * @param provenance origin of the results, as names and values
      */
-    void write(OutputStream target, Map<String, Figure> pictures, SceneSettings layout, Map<String, String> provenance)
+    void write(
+            OutputStream target,
+            Map<String, Figure> pictures,
+            SceneSettings layout,
+            List<String> again,
+            Map<String, String> provenance)
             throws IOException {
         String scene = plan.scene().name();
         Page page = new Page(target, scene + ": placement report", scene + ": the best layout for the money");
@@ -97,7 +104,7 @@ final class PlaceReport {
                 "Scope of these results",
                 Html.element(
                         "ul",
-                        scope(sensors).stream()
+                        Stream.concat(scope(sensors).stream(), again.stream())
                                 .map(item -> Html.plain("li", item))
                                 .collect(Collectors.joining())));
         page.section("Provenance", Html.definitions(provenance));
@@ -202,9 +209,7 @@ final class PlaceReport {
     /** How the drone flies, and where sensors on positioners point, where it flies level. */
     static String flight(PlacePlan plan) {
         return "Only the drone '" + plan.drone() + "' flies, level and at its cruise speed; sensors on positioners "
-                + (plan.settings().air().terms().pointing() == FieldTerms.Turning.CUED
-                        ? "have turned to it."
-                        : "search for it.");
+                + (plan.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it.");
     }
 
     private List<String> scope(SensorTables sensors) {

@@ -54,10 +54,8 @@ public interface PlaceResults {
     /** The lines of the results: tables and sentences. */
     List<String> lines();
 
-    /** The same without commands for the scene of the layout, where it could not be written. */
-    default List<String> linesWithoutScene() {
-        return lines().stream().filter(line -> !line.contains(" layout.yaml ")).toList();
-    }
+    /** Which commands give these figures again from the scene of the layout, in sentences: if it has been written. */
+    List<String> reproduction();
 
     /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
     ObjectNode toJson();

@@ -174,13 +174,18 @@ final class PlaceTable {
 
     /** What the scene's own sensors achieve, in a sentence; empty if it has none. */
     Optional<String> present() {
+        return present("The scene's own ");
+    }
+
+    /** The same, with other words for whose sensors they are. */
+    Optional<String> present(String whose) {
         return layout.present()
-                .map(own -> "The scene's own " + counted(own) + " " + measure.claim(own.sensors() == 1, own.value())
-                        + worse(own) + ".");
+                .map(own ->
+                        whose + counted(own) + " " + measure.claim(own.sensors() == 1, own.value()) + worse(own) + ".");
     }
 
     /** That a layout is worse than the scene's own sensors, as the end of a sentence on these; or an empty text. */
-    String worse(PresentLayout own) {
+    private String worse(PresentLayout own) {
         return own.value() > layout.value() && !measure.text(own.value()).equals(measure.text(layout.value()))
                 ? ", better than this layout, which has only those of them that 'keep' names"
                 : "";

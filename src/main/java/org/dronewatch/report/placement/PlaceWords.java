@@ -54,9 +54,7 @@ final class PlaceWords {
     }
 
     private Optional<String> today() {
-        return best.present()
-                .map(own -> "Today's " + PlaceTable.counted(own) + " " + measure.claim(own.sensors() == 1, own.value())
-                        + new PlaceTable(best, measure).worse(own) + ".");
+        return new PlaceTable(best, measure).present("Today's ");
     }
 
     /** What no layout for the budget can achieve. */

@@ -111,13 +111,7 @@ final class RouteChapter {
                         + " m above the ground: what hides a drone and is smaller than a cell may be missed.",
                 "Only the drone '" + plan.drone() + "' flies, within its limits on climb, descent and turns; sensors on"
                         + " positioners "
-                        + (plan.settings()
-                                        .air()
-                                        .pointing()
-                                        .filter(FieldTerms.Turning.CUED::equals)
-                                        .isPresent()
-                                ? "have turned to it."
-                                : "search for it."),
+                        + (plan.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."),
                 "Sensors count as independent, which they are not where they look past the same obstacle.");
     }
 }

@@ -114,6 +114,11 @@ public record RoutePlaceResults(
         return lines;
     }
 
+    @Override
+    public List<String> reproduction() {
+        return new FlownTable(layout, present, best()).reproduction().stream().toList();
+    }
+
     /** That flights may show weaker routes than the figures promise, in a sentence; empty if they do not. */
     Optional<String> unsettled() {
         return isSettled

@@ -86,8 +86,6 @@ final class WarningChapter {
                         + " m above the ground, and the sensors look for it every "
                         + number(best.grid().cell()) + " m: a sensor that sees it over a shorter distance may be"
                         + " missed.",
-                PlaceReport.flight(plan),
-                "The command 'coverage layout.yaml " + SameCoverage.options(best)
-                        + "' gives the warnings of the layout.");
+                PlaceReport.flight(plan));
     }
 }

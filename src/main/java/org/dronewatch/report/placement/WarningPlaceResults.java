@@ -69,10 +69,16 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
                 lines.add("layout:");
             });
             lines.addAll(WarningTable.lines(its.layout(), covered));
-            lines.add(
-                    "'coverage layout.yaml " + SameCoverage.options(best()) + "' gives these warnings of the layout.");
         });
         return lines;
+    }
+
+    @Override
+    public List<String> reproduction() {
+        return warnings.stream()
+                .map(its -> "'coverage layout.yaml " + SameCoverage.options(best())
+                        + "' gives these warnings of the layout.")
+                .toList();
     }
 
     @Override
