@@ -12,9 +12,11 @@ import java.util.TreeMap;
  * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for no limit
  * @param kinds limits by kind
  * @param fold how many chosen candidates must attain a value, or a better one, for it to count in a row, 1 or more
- * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate
+ * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate; see
+ *     {@link CandidateLosses}
  * @param needsOneOf by candidate that is chosen only together with at least one of some others, as a camera on a
- *     positioner needs a sensor that cues it: the names of these; none of them means that it is never chosen
+ *     positioner needs a sensor that cues it: the names of these; none of them means that it is never chosen. Fixed
+ *     candidates are chosen even without
  */
 public record PlacementConditions(
         double budget,

@@ -19,6 +19,7 @@ public final class PlacementProblem {
     private final PlacementObjective objective;
     private final PlacementConditions conditions;
     private final double[] undetected;
+    private final CandidateLosses losses;
 
     /**
      * A problem.
@@ -33,6 +34,8 @@ public final class PlacementProblem {
         this.table = table;
         this.objective = objective;
         this.conditions = conditions;
+        this.losses = new CandidateLosses(
+                table.candidates().stream().map(Candidate::name).toList(), conditions);
         this.undetected = objective.isImpact() ? impactsWithout() : new double[table.rows()];
         if (objective == PlacementObjective.JOINT_PROBABILITY) {
             checkProbabilities();
@@ -140,15 +143,23 @@ public final class PlacementProblem {
         });
     }
 
-    /** The names of the chosen candidates that need one of some others, of which none is chosen. */
+    /** The names of the chosen candidates, not fixed, that need one of some others, of which none is chosen. */
     public List<String> lacking(List<Integer> chosen) {
         List<String> names = chosen.stream()
                 .map(candidate -> table.candidates().get(candidate).name())
                 .toList();
-        return names.stream()
+        return chosen.stream()
+                .map(table.candidates()::get)
+                .filter(one -> !one.fixed())
+                .map(Candidate::name)
                 .filter(name -> conditions.needsOneOf().containsKey(name)
                         && Collections.disjoint(conditions.needsOneOf().get(name), names))
                 .toList();
+    }
+
+    /** What remains at work of a layout after a loss. */
+    public CandidateLosses losses() {
+        return losses;
     }
 
     /** Whether enough remains after the worst loss of a single chosen candidate, if that is a condition. */
@@ -163,14 +174,13 @@ public final class PlacementProblem {
     }
 
     /**
-     * The value after the loss of the chosen candidate whose loss is worst; the value of an empty layout if none is
-     * chosen.
+     * The value that {@link CandidateLosses} leave without the chosen candidate whose loss is worst; the value of an
+     * empty layout if none is chosen.
      */
     public double valueAfterWorstLoss(List<Integer> chosen) {
         double worst = chosen.isEmpty() ? value(chosen) : Double.NaN;
         for (Integer lost : chosen) {
-            double value =
-                    value(chosen.stream().filter(other -> !other.equals(lost)).toList());
+            double value = value(losses.remaining(chosen, lost));
             boolean isWorse = objective.isGreatest() ? value < worst : value > worst;
             worst = Double.isNaN(worst) || isWorse ? value : worst;
         }

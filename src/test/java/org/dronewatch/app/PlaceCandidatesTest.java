@@ -214,6 +214,23 @@ class PlaceCandidatesTest {
                         + " covers 2.1 % by itself.");
     }
 
+    /** Without the only sensor that cues it, a camera that turns detects nothing either; the condition counts that. */
+    @Test
+    void aLossTakesAlongWhatItCued() throws Exception {
+        assertThat(turning("budget: 6\n"))
+                .containsPattern(
+                        "Without (\\S+), whose loss is worst, the layout covers 0\\.0 %\\. Without \\1, nothing"
+                                + " cues eye-1-turn, which then counts as detecting nothing\\.")
+                .contains(
+                        "After a loss, the coverage by height still counts sensors that nothing cues any more as turned"
+                                + " to the drone.");
+        Outcome asked = turningOutcome("budget: 6\nconditions: {anyoneLost: {atLeast: 0.01}}\n");
+        assertThat(asked.code()).isEqualTo(2);
+        assertThat(asked.err())
+                .contains("no layout was found that complies with it and with the limits on the numbers of sensors, and"
+                        + " leaves a coverage of 0.01 after the loss of any one");
+    }
+
     @Test
     void aKeptSensorThatNothingCuesIsNamed() throws Exception {
         Path file = PlacedSite.in(directory, "budget: 0\nkeep: [turning]\n");
@@ -231,6 +248,12 @@ class PlaceCandidatesTest {
     }
 
     private String turning(String budget) throws Exception {
+        Outcome outcome = turningOutcome(budget);
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        return outcome.out();
+    }
+
+    private Outcome turningOutcome(String budget) throws Exception {
         Path file = PlacedSite.in(directory, budget);
         Files.writeString(
                 file,
@@ -250,8 +273,6 @@ class PlaceCandidatesTest {
                 air: {side: 400 m, cell: 80 m, heights: [10 m, 40 m]}
                 """
                         + budget);
-        Outcome outcome = Program.run("place", file.toString(), "--budgets=1", "--quiet");
-        assertThat(outcome.code()).as(outcome.err()).isZero();
-        return outcome.out();
+        return Program.run("place", file.toString(), "--budgets=1", "--quiet");
     }
 }

@@ -7,7 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldTerms;
+import org.dronewatch.placement.CandidateLosses;
+import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.positioner.PositionerSettings;
 import org.dronewatch.positioner.SearchPattern;
 import org.dronewatch.sensor.DirectionFinding;
@@ -28,11 +31,9 @@ public final class Cues {
         this.isCued = plan.pointing() == FieldTerms.Turning.CUED;
     }
 
-    /** By the name of each candidate on a positioner that is not kept: those of which a layout needs one for it. */
+    /** By the name of each candidate on a positioner: those of which a layout needs one for it. */
     public Map<String, Set<String>> needed() {
-        Map<String, Set<String>> needed = cueing();
-        plan.candidates().stream().filter(one -> one.candidate().fixed()).forEach(kept -> needed.remove(kept.name()));
-        return needed;
+        return cueing();
     }
 
     /** The sensors of a layout that count as turned to the drone, though none of its sensors cues them. */
@@ -43,6 +44,17 @@ public final class Cues {
                 .filter(one -> one.getValue().stream().noneMatch(names::contains))
                 .map(Map.Entry::getKey)
                 .toList();
+    }
+
+    /** By the name of each sensor of a layout whose loss leaves others without a cue: the names of those others. */
+    public Map<String, List<String>> uncuedWithout(List<SiteCandidate> layout) {
+        CandidateLosses losses = new CandidateLosses(
+                layout.stream().map(SiteCandidate::name).toList(), PlacementConditions.NONE.withNeedsOneOf(cueing()));
+        List<Integer> all = IntStream.range(0, layout.size()).boxed().toList();
+        Map<String, List<String>> uncued = new LinkedHashMap<>();
+        all.forEach(lost -> uncued.put(layout.get(lost).name(), losses.idle(all, lost)));
+        uncued.values().removeIf(List::isEmpty);
+        return uncued;
     }
 
     /** The sensors of a layout, not themselves on positioners, that cue others; and whether there are such others. */

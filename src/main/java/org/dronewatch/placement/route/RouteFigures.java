@@ -9,8 +9,11 @@ import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.CandidateLosses;
 import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.plan.PlacePlan;
+import org.dronewatch.placement.plan.PlanConditions;
+import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.BuyingOrder;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PresentLayout;
@@ -105,11 +108,16 @@ final class RouteFigures {
 
     private Map<String, Double> without(RoutePlacement brief) {
         List<Integer> chosen = brief.result().chosen();
+        CandidateLosses losses = losses(plan);
         Map<String, Double> without = new LinkedHashMap<>();
-        chosen.forEach(lost -> without.put(
-                name(lost),
-                rows.value(chosen.stream().filter(other -> !other.equals(lost)).toList())));
+        chosen.forEach(lost -> without.put(name(lost), rows.value(losses.remaining(chosen, lost))));
         return without;
+    }
+
+    /** What the losses of the candidates of a plan leave. */
+    static CandidateLosses losses(PlacePlan plan) {
+        return new CandidateLosses(
+                plan.candidates().stream().map(SiteCandidate::name).toList(), PlanConditions.of(plan));
     }
 
     private String name(int candidate) {

@@ -104,8 +104,7 @@ public final class RouteLayouts {
         OptionalDouble needed = conditions().anyoneLost();
         return needed.isEmpty()
                 || chosen.stream().allMatch(lost -> {
-                    List<Integer> rest =
-                            chosen.stream().filter(other -> !other.equals(lost)).toList();
+                    List<Integer> rest = RouteFigures.losses(plan).remaining(chosen, lost);
                     return rows.value(rest) >= (1.0 - RouteFigures.ROUNDING) * needed.getAsDouble();
                 });
     }

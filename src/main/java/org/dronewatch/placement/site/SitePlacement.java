@@ -99,9 +99,8 @@ public record SitePlacement(
     @Override
     public Map<String, Double> withoutEach() {
         Map<String, Double> remaining = new LinkedHashMap<>();
-        for (int lost : result.chosen()) {
-            List<Integer> rest =
-                    result.chosen().stream().filter(other -> other != lost).toList();
+        for (Integer lost : result.chosen()) {
+            List<Integer> rest = problem.losses().remaining(result.chosen(), lost);
             remaining.put(plan.candidates().get(lost).name(), problem.value(rest) / rows);
         }
         return remaining;

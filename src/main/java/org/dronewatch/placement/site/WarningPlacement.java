@@ -158,10 +158,7 @@ public record WarningPlacement(
         Map<String, Double> remaining = new LinkedHashMap<>();
         for (Integer lost : result.chosen()) {
             remaining.put(
-                    plan.candidates().get(lost).name(),
-                    warning(result.chosen().stream()
-                            .filter(other -> !other.equals(lost))
-                            .toList()));
+                    plan.candidates().get(lost).name(), warning(problem.losses().remaining(result.chosen(), lost)));
         }
         return remaining;
     }

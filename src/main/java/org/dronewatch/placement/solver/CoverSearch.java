@@ -2,6 +2,7 @@ package org.dronewatch.placement.solver;
 
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
 /**
@@ -11,6 +12,7 @@ import java.util.stream.IntStream;
  */
 final class CoverSearch {
     private final Rules rules;
+    private final UnaryOperator<int[]> mending;
     private final BooleanSupplier isStopped;
     private final List<Demand> demands;
     private final Tally tally;
@@ -24,8 +26,15 @@ final class CoverSearch {
     /** By candidate: the demands that it serves. */
     private final int[][] served;
 
-    CoverSearch(Rules rules, List<Demand> demands, BooleanSupplier isStopped) {
+    /**
+     * A search.
+     *
+     * @param mending the candidates of which at least one must be added to a choice that satisfies all demands, for it
+     *     to comply; null if it complies
+     */
+    CoverSearch(Rules rules, List<Demand> demands, UnaryOperator<int[]> mending, BooleanSupplier isStopped) {
         this.rules = rules;
+        this.mending = mending;
         this.demands = List.copyOf(demands);
         this.isStopped = isStopped;
         tally = new Tally(rules);
@@ -90,17 +99,13 @@ final class CoverSearch {
         return isFound;
     }
 
-    /** Whether each chosen candidate that needs one of some others has one, or one can be added. */
+    /** Whether what satisfies all demands complies, or does so with more candidates. */
     private boolean completed() {
-        int[] chosen = SearchNode.having(state, SearchNode.IN, SearchNode.IN);
-        int lacking = IntStream.of(chosen)
-                .filter(candidate -> !rules.isServed(candidate, other -> state[other] == SearchNode.IN))
-                .findFirst()
-                .orElse(-1);
-        if (lacking < 0) {
+        int[] added = missing(SearchNode.having(state, SearchNode.IN, SearchNode.IN));
+        if (added == null) {
             return true;
         }
-        for (int candidate : rules.needs[lacking]) {
+        for (int candidate : added) {
             if (state[candidate] == SearchNode.FREE && tally.fits(candidate) && !isStopped.getAsBoolean()) {
                 choose(candidate);
                 if (completed()) {
@@ -110,6 +115,16 @@ final class CoverSearch {
             }
         }
         return false;
+    }
+
+    /** Those of which a choice lacks one; null if it lacks none. */
+    private int[] missing(int[] chosen) {
+        int lacking = IntStream.of(chosen)
+                .filter(candidate ->
+                        !rules.isFixed(candidate) && !rules.isServed(candidate, other -> state[other] == SearchNode.IN))
+                .findFirst()
+                .orElse(-1);
+        return lacking < 0 ? mending.apply(chosen) : rules.needs[lacking];
     }
 
     /** The demand that leaves the fewest possibilities; -1 if all are satisfied. */

@@ -9,6 +9,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.dronewatch.placement.Candidate;
+import org.dronewatch.placement.CandidateLosses;
 import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
@@ -28,6 +29,7 @@ public final class CuttingPlanes {
 
     private final List<Candidate> candidates;
     private final PlacementConditions conditions;
+    private final CandidateLosses losses;
     private final RowOracle oracle;
     private final PlacementSolver solver;
     private final double enough;
@@ -62,6 +64,8 @@ public final class CuttingPlanes {
             Known known) {
         this.candidates = List.copyOf(candidates);
         this.conditions = conditions;
+        this.losses =
+                new CandidateLosses(candidates.stream().map(Candidate::name).toList(), conditions);
         this.oracle = oracle;
         this.solver = solver;
         this.enough = enough;
@@ -118,7 +122,7 @@ public final class CuttingPlanes {
             add(layout);
             if (conditions.anyoneLost().isPresent()) {
                 for (Integer lost : layout) {
-                    add(layout.stream().filter(other -> !other.equals(lost)).toList());
+                    add(losses.remaining(layout, lost));
                 }
             }
         }

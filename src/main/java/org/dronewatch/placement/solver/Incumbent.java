@@ -61,8 +61,18 @@ final class Incumbent {
             return 0.0;
         }
         double scale = Math.max(1.0, Math.abs(needed.getAsDouble()));
-        double missing = (needed.getAsDouble() - valuation.worstLoss(other)) / scale;
+        double missing = (needed.getAsDouble() - worstLoss(other)) / scale;
         return missing > ROUNDING ? missing : 0.0;
+    }
+
+    private double worstLoss(int[] other) {
+        double worst = valuation.worstLoss(other);
+        for (int lost : other) {
+            if (rules.stopsOthers(other, lost)) {
+                worst = Math.min(worst, valuation.value(rules.remaining(other, lost)));
+            }
+        }
+        return worst;
     }
 
     /** The score of any choice that breaks no rule. */

@@ -74,7 +74,7 @@ final class LevelSearch {
                 break;
             }
             int middle = low + (high - low + 1) / 2;
-            int[] chosen = new CoverSearch(incumbent.rules(), demands(levels[middle]), isStopped).find();
+            int[] chosen = new CoverSearch(incumbent.rules(), demands(levels[middle]), this::mending, isStopped).find();
             if (chosen != null) {
                 incumbent.offer(chosen);
                 low = middle;
@@ -121,6 +121,34 @@ final class LevelSearch {
             }
         }
         return demands;
+    }
+
+    /**
+     * Where too few of a choice reach what must remain of a row after a loss that stops others, too: those that reach
+     * it, and those that the stopped ones need; null if enough do.
+     */
+    private int[] mending(int[] chosen) {
+        Rules rules = incumbent.rules();
+        for (int lost : needed.isPresent() ? chosen : new int[0]) {
+            if (rules.stopsOthers(chosen, lost)) {
+                int[] remaining = rules.remaining(chosen, lost);
+                for (int row = 0; row < gains.rowCount(); row++) {
+                    int[] reaching = reaching(row, needed.getAsDouble());
+                    long enough = IntStream.of(reaching)
+                            .filter(candidate -> Rules.contains(remaining, candidate))
+                            .count();
+                    if (gains.floor[row] < needed.getAsDouble() && enough < gains.fold) {
+                        IntStream served = IntStream.of(chosen)
+                                .filter(one -> rules.needs[one] != null && !Rules.contains(remaining, one))
+                                .flatMap(one -> IntStream.of(rules.needs[one]));
+                        return IntStream.concat(IntStream.of(reaching), served)
+                                .distinct()
+                                .toArray();
+                    }
+                }
+            }
+        }
+        return null;
     }
 
     private int[] reaching(int row, double level) {

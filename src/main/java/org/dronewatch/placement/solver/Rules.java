@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.dronewatch.placement.Candidate;
@@ -34,6 +35,9 @@ final class Rules {
 
     /** By candidate: those of which it needs one, ascending; null if it needs none. */
     final int[][] needs;
+
+    private final boolean[] isFixed;
+    private final boolean hasNeeds;
 
     /** By place: whether all its candidates are of one limited kind, or of none. */
     final boolean[] isNested;
@@ -79,6 +83,15 @@ final class Rules {
                                 .sorted()
                                 .toArray())
                 .toArray(int[][]::new);
+        isFixed = new boolean[size];
+        for (int candidate : fixed) {
+            isFixed[candidate] = true;
+        }
+        hasNeeds = Arrays.stream(needs).anyMatch(Objects::nonNull);
+    }
+
+    boolean isFixed(int candidate) {
+        return isFixed[candidate];
     }
 
     /** Whether a candidate needs no other, or one of those that it needs is in the choice. */
@@ -86,13 +99,41 @@ final class Rules {
         return needs[candidate] == null || Arrays.stream(needs[candidate]).anyMatch(isChosen);
     }
 
-    /** How many candidates of a choice lack another that they need. */
+    /** How many candidates of a choice, not fixed, lack another that they need. */
     int lacking(int[] chosen) {
         int lacking = 0;
         for (int candidate : chosen) {
-            lacking += isServed(candidate, other -> Arrays.stream(chosen).anyMatch(one -> one == other)) ? 0 : 1;
+            lacking += isFixed[candidate] || isServed(candidate, chosen) ? 0 : 1;
         }
         return lacking;
+    }
+
+    private boolean isServed(int candidate, int[] chosen) {
+        return isServed(candidate, other -> contains(chosen, other));
+    }
+
+    static boolean contains(int[] chosen, int candidate) {
+        return Arrays.stream(chosen).anyMatch(one -> one == candidate);
+    }
+
+    /** Whether the loss of one of some candidates stops another of them, which has needed it. */
+    boolean stopsOthers(int[] chosen, int lost) {
+        return hasNeeds && remaining(chosen, lost).length < chosen.length - 1;
+    }
+
+    /** What remains at work without one of some candidates: see {@link org.dronewatch.placement.CandidateLosses}. */
+    int[] remaining(int[] chosen, int lost) {
+        int[] remaining =
+                Arrays.stream(chosen).filter(candidate -> candidate != lost).toArray();
+        int before = -1;
+        while (remaining.length != before) {
+            before = remaining.length;
+            int[] all = remaining;
+            remaining = Arrays.stream(all)
+                    .filter(candidate -> isServed(candidate, all) || !isServed(candidate, chosen))
+                    .toArray();
+        }
+        return remaining;
     }
 
     private boolean[] nested() {

@@ -64,9 +64,9 @@ final class CoverageChapter {
                                 + ", in % of the known area at each height; the same after the loss of the sensor that"
                                 + " matters most there; and the largest gap. "
                                 + FieldsTable.worstPlace(fields.layout())
-                                + FieldsTable.difference(fold)
+                                + FieldsTable.differences(best).stream()
                                         .map(sentence -> " " + sentence)
-                                        .orElse(""))
+                                        .collect(Collectors.joining()))
                 + Html.table(head, rows);
     }
 

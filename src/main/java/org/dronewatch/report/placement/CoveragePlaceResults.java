@@ -54,8 +54,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
         lines.addAll(new FrontWords(measure()).lines(front));
         fields.ifPresent(its -> {
             lines.add("");
-            lines.addAll(
-                    FieldsTable.lines(its, best().plan().settings().conditions().fold()));
+            lines.addAll(FieldsTable.lines(its, best()));
         });
         return lines;
     }

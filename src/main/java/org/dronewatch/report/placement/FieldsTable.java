@@ -9,7 +9,9 @@ import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.Gap;
 import org.dronewatch.analysis.survey.HeightSummary;
+import org.dronewatch.placement.plan.Cues;
 import org.dronewatch.placement.site.LayoutFields;
+import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.report.file.Numbers;
@@ -25,9 +27,10 @@ final class FieldsTable {
     /**
      * A table, and the largest gap of the layout in a sentence.
      *
-     * @param fold number of sensors that must cover a cell for it to count in the search
+     * @param layout for which they are
      */
-    static List<String> lines(LayoutFields fields, int fold) {
+    static List<String> lines(LayoutFields fields, SitePlacement layout) {
+        int fold = layout.plan().settings().conditions().fold();
         List<String> lines = new ArrayList<>();
         lines.add("coverage" + byOne(fold) + heading(fields)
                 + ", in % of the known cells, also after the worst loss of a sensor, and the" + " largest gap in ha:");
@@ -37,7 +40,7 @@ final class FieldsTable {
             lines.add(row(fields, height));
         }
         lines.add(worstPlace(fields.layout()));
-        difference(fold).ifPresent(lines::add);
+        lines.addAll(differences(layout));
         return lines;
     }
 
@@ -61,12 +64,20 @@ final class FieldsTable {
         return fold > 1 ? " by one sensor or more" : "";
     }
 
-    /** That the layout was chosen for what several sensors cover, and the table counts otherwise; if that is so. */
-    static Optional<String> difference(int fold) {
-        return fold > 1
-                ? Optional.of("The coverage by height is that by one sensor or more; the layout was chosen for what "
-                        + fold + " sensors or more cover.")
-                : Optional.empty();
+    /** How the table counts otherwise than the search that chose the layout, in sentences. */
+    static List<String> differences(SitePlacement layout) {
+        List<String> sentences = new ArrayList<>();
+        int fold = layout.plan().settings().conditions().fold();
+        if (fold > 1) {
+            sentences.add("The coverage by height is that by one sensor or more; the layout was chosen for what " + fold
+                    + " sensors or more cover.");
+        }
+        if (!new Cues(layout.plan()).uncuedWithout(layout.chosen()).isEmpty()) {
+            sentences.add(
+                    "After a loss, the coverage by height still counts sensors that nothing cues any more as turned"
+                            + " to the drone.");
+        }
+        return sentences;
     }
 
     /** {@code on the heading that is worst in each cell}, with a space before it. */

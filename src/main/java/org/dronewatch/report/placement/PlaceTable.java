@@ -216,7 +216,18 @@ final class PlaceTable {
         return layout.withoutEach().entrySet().stream()
                 .min(Map.Entry.comparingByValue())
                 .map(worst -> "Without " + worst.getKey() + ", whose loss is worst, the layout "
-                        + measure.claim(true, worst.getValue()) + ".");
+                        + measure.claim(true, worst.getValue()) + "." + uncuedWithout());
+    }
+
+    /** Which losses leave other sensors without a cue, in sentences that follow another one; or an empty text. */
+    private String uncuedWithout() {
+        return new Cues(layout.plan())
+                .uncuedWithout(layout.chosen()).entrySet().stream()
+                        .map(loss -> " Without " + loss.getKey() + ", nothing cues "
+                                + PlainText.list(loss.getValue()) + ", "
+                                + (loss.getValue().size() == 1 ? "which then counts" : "which then count")
+                                + " as detecting nothing.")
+                        .collect(Collectors.joining());
     }
 
     private String row(SiteCandidate sensor, String cost, String sum, String value) {

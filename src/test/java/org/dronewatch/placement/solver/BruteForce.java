@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.CandidateColumn;
@@ -73,16 +74,37 @@ final class BruteForce {
         return Integer.bitCount(choice) <= conditions.atMost()
                 && cost <= conditions.budget()
                 && places.values().stream().allMatch(count -> count == 1)
-                && conditions.needsOneOf().entrySet().stream()
-                        .allMatch(need -> !has(choice, need.getKey())
-                                || need.getValue().stream().anyMatch(other -> has(choice, other)))
+                && IntStream.range(0, problem.table().size())
+                        .filter(candidate -> (choice >> candidate & 1) == 1)
+                        .filter(candidate ->
+                                !problem.table().candidates().get(candidate).fixed())
+                        .allMatch(candidate -> isServed(choice, candidate))
                 && survives(choice);
     }
 
-    private boolean has(int choice, String name) {
-        return IntStream.range(0, problem.table().size())
-                .anyMatch(candidate -> (choice >> candidate & 1) == 1
-                        && problem.table().candidates().get(candidate).name().equals(name));
+    private boolean isServed(int choice, int candidate) {
+        Set<String> needs = problem.conditions()
+                .needsOneOf()
+                .get(problem.table().candidates().get(candidate).name());
+        return needs == null
+                || IntStream.range(0, problem.table().size())
+                        .filter(other -> (choice >> other & 1) == 1)
+                        .anyMatch(other -> needs.contains(
+                                problem.table().candidates().get(other).name()));
+    }
+
+    /** Those that had one that they need stop when the last of these has gone. */
+    private int after(int choice, int lost) {
+        int left = choice & ~(1 << lost);
+        for (int round = 0; round < problem.table().size(); round++) {
+            int before = left;
+            for (int candidate = 0; candidate < problem.table().size(); candidate++) {
+                if (isServed(choice, candidate) && !isServed(before, candidate)) {
+                    left &= ~(1 << candidate);
+                }
+            }
+        }
+        return left;
     }
 
     private boolean survives(int choice) {
@@ -92,7 +114,7 @@ final class BruteForce {
         double needed = problem.conditions().anyoneLost().getAsDouble();
         boolean survives = choice != 0 || isEnough(value(0), needed);
         for (int lost = 0; lost < problem.table().size(); lost++) {
-            survives &= (choice >> lost & 1) == 0 || isEnough(value(choice & ~(1 << lost)), needed);
+            survives &= (choice >> lost & 1) == 0 || isEnough(value(after(choice, lost)), needed);
         }
         return survives;
     }

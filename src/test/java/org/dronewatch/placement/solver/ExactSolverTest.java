@@ -37,6 +37,7 @@ class ExactSolverTest {
         FOLD,
         LOSS,
         NEEDS,
+        NEEDS_AND_LOSS,
         ALL
     }
 
@@ -155,7 +156,7 @@ class ExactSolverTest {
         }
         PlacementConditions conditions = PlacementConditions.NONE;
         boolean hasAll = condition == Condition.ALL;
-        if (condition == Condition.NEEDS || hasAll && random.nextBoolean()) {
+        if (condition == Condition.NEEDS || condition == Condition.NEEDS_AND_LOSS || hasAll && random.nextBoolean()) {
             conditions = conditions.withNeedsOneOf(needs(table, random));
         }
         if (condition != Condition.BUDGET || hasAll) {
@@ -170,7 +171,7 @@ class ExactSolverTest {
         if ((condition == Condition.FOLD || hasAll) && objective.takesBest()) {
             conditions = conditions.withFold(random.nextInt(1, 4));
         }
-        if (condition == Condition.LOSS || hasAll && random.nextBoolean()) {
+        if (condition == Condition.LOSS || condition == Condition.NEEDS_AND_LOSS || hasAll && random.nextBoolean()) {
             conditions =
                     conditions.withAnyoneLost(remaining(new PlacementProblem(table, objective, conditions), random));
         }
@@ -190,7 +191,7 @@ class ExactSolverTest {
     private static Map<String, Set<String>> needs(CandidateTable table, SplittableRandom random) {
         Map<String, Set<String>> needs = new HashMap<>();
         for (Candidate one : table.candidates()) {
-            if (!one.fixed() && random.nextBoolean()) {
+            if (random.nextBoolean()) {
                 Set<String> others = new HashSet<>();
                 for (int count = random.nextInt(4); count > 0; count--) {
                     others.add("c" + random.nextInt(table.size()));

@@ -1,0 +1,61 @@
+package org.dronewatch.placement;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What remains at work of a layout after the loss of one of its candidates: all others, except those that need one of
+ * some others ({@link PlacementConditions#needsOneOf}) and have lost the last of them, such as a camera on a positioner
+ * without the only sensor that cued it. Immutable; thread-safe.
+ */
+public final class CandidateLosses {
+    private final List<String> names;
+    private final Map<String, Set<String>> needs;
+
+    /**
+     * The losses of some candidates.
+     *
+     * @param names of the candidates
+     * @param conditions with what each needs one of
+     */
+    public CandidateLosses(List<String> names, PlacementConditions conditions) {
+        this.names = List.copyOf(names);
+        this.needs = conditions.needsOneOf();
+    }
+
+    /** Those of the chosen candidates that remain at work without one of them, by their numbers, in the same order. */
+    public List<Integer> remaining(List<Integer> chosen, Integer lost) {
+        List<Integer> remaining = new ArrayList<>(chosen);
+        remaining.remove(lost);
+        Set<String> unserved = unserved(chosen);
+        boolean isChanged = true;
+        while (isChanged) {
+            Set<String> idle = unserved(remaining);
+            idle.removeAll(unserved);
+            isChanged = remaining.removeIf(one -> idle.contains(names.get(one)));
+        }
+        return remaining;
+    }
+
+    /** The names of those of the chosen candidates that stop working without one of them, besides that one. */
+    public List<String> idle(List<Integer> chosen, Integer lost) {
+        List<Integer> remaining = remaining(chosen, lost);
+        return chosen.stream()
+                .filter(one -> !one.equals(lost) && !remaining.contains(one))
+                .map(names::get)
+                .toList();
+    }
+
+    /** The names of the chosen candidates that need one of some others, of which none is chosen. */
+    private Set<String> unserved(List<Integer> chosen) {
+        Set<String> has = new HashSet<>();
+        chosen.forEach(one -> has.add(names.get(one)));
+        Set<String> unserved = new HashSet<>(has);
+        unserved.removeIf(name -> !needs.containsKey(name) || !Collections.disjoint(needs.get(name), has));
+        return unserved;
+    }
+}
