@@ -1,7 +1,10 @@
 package org.dronewatch.placement.plan;
 
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -19,6 +22,9 @@ import org.dronewatch.setting.input.LinkOut;
  * of {@code coverage} with the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
+ * @param weights by the name of a protected zone: how much each cell counts whose centre is in that zone, 0 to 1000; all
+ *     other cells have a weight of 1, and in several of these zones the greatest weight counts. Only for the objective
+ *     {@code coverage}
  * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by
  *     default. For {@code weakest-route}, the square is around the protected zone and, by default, as large as that of
  *     {@code route}
@@ -37,6 +43,7 @@ import org.dronewatch.setting.input.LinkOut;
  */
 public record AirSettings(
         Optional<String> area,
+        Map<String, Double> weights,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> side,
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) Optional<Double> cell,
         @In(value = Quantity.LENGTH, above = 0, to = FieldGrid.HIGHEST) Optional<List<Double>> heights,
@@ -45,6 +52,11 @@ public record AirSettings(
         Heading heading,
         Optional<String> conditions,
         Optional<FieldTerms.Turning> pointing) {
+    /** The weight of a cell that is in none of the zones that have one. */
+    public static final double WEIGHT = 1.0;
+
+    private static final double MOST_WEIGHT = 1000.0;
+
     /** The headings of the drone that count. */
     public enum Heading {
         /** Eight compass headings, which count equally. */
@@ -57,6 +69,7 @@ public record AirSettings(
     @Defaults
     public static final AirSettings DEFAULT = new AirSettings(
             Optional.empty(),
+            Map.of(),
             Optional.empty(),
             Optional.empty(),
             Optional.empty(),
@@ -68,9 +81,17 @@ public record AirSettings(
 
     /** Checks the limits. */
     public AirSettings {
-        Limits.check(AirSettings.class, area, side, cell, heights, covered, within, heading, conditions, pointing);
+        Limits.check(
+                AirSettings.class, area, weights, side, cell, heights, covered, within, heading, conditions, pointing);
         FieldCoverage.checkedProbability(covered);
         heights = heights.map(FieldGrid::checkedHeights);
+        weights = Collections.unmodifiableMap(new LinkedHashMap<>(weights));
+        weights.forEach((zone, weight) -> {
+            if (!(weight >= 0.0 && weight <= MOST_WEIGHT)) {
+                throw new IllegalArgumentException("weights." + zone + " " + Quantity.NUMBER.inWords(weight)
+                        + ": must be 0" + " to " + Quantity.NUMBER.inWords(MOST_WEIGHT));
+            }
+        });
     }
 
     /** The side of the square, m: that of {@code coverage} unless it is given. */

@@ -3,6 +3,7 @@ package org.dronewatch.placement.plan;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.setting.Defaults;
@@ -50,6 +51,11 @@ public record PlaceSettings(
                         "candidates." + name + ": a name must have 1 to 40 letters, digits, hyphens and underscores");
             }
         });
+        if (!air.weights().isEmpty() && objective != PlaceObjective.COVERAGE) {
+            throw new IllegalArgumentException("air.weights: has no meaning for the objective "
+                    + objective.name().toLowerCase(Locale.ROOT).replace('_', '-')
+                    + ": cells do not count by themselves");
+        }
         if (candidates.isEmpty()) {
             throw new IllegalArgumentException("candidates is empty: must name at least one sensor that may be bought");
         }

@@ -19,32 +19,36 @@ final class AirSectors {
     /** By row: {@code sector * heights + height}. */
     private final int[] parts;
 
-    /** The number of rows in each part. */
-    private final int[] sizes;
+    /** By row. */
+    private final double[] weights;
+
+    /** The weight of the rows in each part. */
+    private final double[] sizes;
 
     AirSectors(CoveredCells air) {
         this.grid = air.grid();
         this.parts = air.cells();
-        this.sizes = new int[SECTORS * grid.heights().size()];
+        this.weights = air.weights();
+        this.sizes = new double[SECTORS * grid.heights().size()];
         for (int row = 0; row < parts.length; row++) {
             int cell = parts[row];
             double east = grid.x(air.column(cell)) - grid.east();
             double north = grid.y(air.row(cell)) - grid.north();
             int sector = (int) Math.floorMod(Math.round(StrictMath.atan2(east, north) / EIGHTH), (long) SECTORS);
             parts[row] = sector * grid.heights().size() + air.height(cell);
-            sizes[parts[row]]++;
+            sizes[parts[row]] += weights[row];
         }
     }
 
     /** The part in which a layout gains most over another; empty if it gains in none. */
     Optional<SectorGain> gain(PlacementProblem problem, List<Integer> before, List<Integer> after) {
-        int[] had = covered(problem, before);
-        int[] has = covered(problem, after);
+        double[] had = covered(problem, before);
+        double[] has = covered(problem, after);
         int heights = grid.heights().size();
         int best = -1;
-        int most = 0;
+        double most = 0.0;
         for (int sector = 0; sector < SECTORS; sector++) {
-            int gained = 0;
+            double gained = 0.0;
             for (int height = 0; height < heights; height++) {
                 gained += has[sector * heights + height] - had[sector * heights + height];
             }
@@ -55,7 +59,7 @@ final class AirSectors {
     }
 
     /** The heights of a sector around the one at which most is gained. */
-    private SectorGain gain(int sector, int[] had, int[] has) {
+    private SectorGain gain(int sector, double[] had, double[] has) {
         int first = sector * grid.heights().size();
         int last = first + grid.heights().size() - 1;
         int most = first;
@@ -87,16 +91,16 @@ final class AirSectors {
                 after / all);
     }
 
-    /** By part: the number of rows that enough of the chosen candidates cover. */
-    private int[] covered(PlacementProblem problem, List<Integer> chosen) {
+    /** By part: the weight of the rows that enough of the chosen candidates cover. */
+    private double[] covered(PlacementProblem problem, List<Integer> chosen) {
         int[] counts = new int[parts.length];
-        int[] covered = new int[sizes.length];
+        double[] covered = new double[sizes.length];
         for (int candidate : chosen) {
             CandidateColumn column = problem.table().column(candidate);
             for (int at = 0; at < column.size(); at++) {
                 int row = column.row(at);
                 counts[row]++;
-                covered[parts[row]] += counts[row] == problem.conditions().fold() ? 1 : 0;
+                covered[parts[row]] += counts[row] == problem.conditions().fold() ? weights[row] : 0.0;
             }
         }
         return covered;

@@ -2,8 +2,10 @@ package org.dronewatch.placement.site;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
 import org.dronewatch.analysis.cell.Course;
@@ -13,7 +15,6 @@ import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.analysis.survey.FieldSummary;
-import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.plan.AirSettings;
@@ -24,8 +25,6 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
-import org.dronewatch.setting.Spelling;
 
 /**
  * The airspace that each sensor covers: a row for each cell and each of eight headings, or for each cell and the
@@ -46,6 +45,7 @@ public final class CoveredCells {
     private final Stage stage;
     private final FieldGrid grid;
     private final List<Course> courses;
+    private final ZoneWeights zones;
 
     /** The rows of the scene as it is, and under each condition. */
     private final List<CellRows> scenes = new ArrayList<>();
@@ -62,7 +62,9 @@ public final class CoveredCells {
         this.stage = stage;
         this.grid = grid(plan);
         this.courses = courses();
+        this.zones = new ZoneWeights(plan, grid);
         checkSize();
+        checkWeights();
         scenes.add(new CellRows(plan, plan.present(), stage, store, grid, courses));
         plan.conditions().forEach(condition -> {
             Stage there = plan.runner().stage(condition.settings());
@@ -81,6 +83,16 @@ public final class CoveredCells {
                     + (scenes > 1 ? " under " + scenes + " conditions" : "")
                     + " are too many; there must be at most " + MOST + " in all: give a larger cell");
         }
+    }
+
+    private void checkWeights() {
+        if (grid.count((column, row) -> !grid.isOutside(column, row) && zones.of(column, row) > 0.0) == 0) {
+            throw weightless("all cells");
+        }
+    }
+
+    private static InputException weightless(String cells) {
+        return new InputException("air.weights: " + cells + " have a weight of 0; at least one must have more");
     }
 
     private List<Course> courses() {
@@ -111,9 +123,8 @@ public final class CoveredCells {
         AirSettings air = plan.settings().air();
         try {
             if (air.area().isPresent()) {
-                AreaZone zone = AreaZone.inPlan(air.area().get(), plan.present().alert())
-                        .orElseThrow(
-                                () -> noArea(air.area().get(), plan.present().alert()));
+                AreaZone zone = ZoneWeights.zone(
+                        air.area().get(), "air.area", plan.present().alert());
                 double side = FieldGrid.over(zone, air.square(), air.levels()).side();
                 return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.levels());
             }
@@ -134,12 +145,6 @@ public final class CoveredCells {
         } catch (IllegalArgumentException e) {
             throw new InputException("air: " + e.getMessage(), e);
         }
-    }
-
-    private static InputException noArea(String name, AlertSettings alert) {
-        List<String> known = AreaZone.namesInPlan(alert);
-        return new InputException("air.area " + PlainText.value(name) + ": no such zone; the scene protects "
-                + (known.isEmpty() ? "nothing" : String.join(", ", known)) + Spelling.didYouMean(name, known));
     }
 
     /** The grid. */
@@ -182,15 +187,51 @@ public final class CoveredCells {
         return scenes.stream().mapToInt(CellRows::size).sum();
     }
 
-    /** By row: its weight; the rows of all conditions have the same sum. */
+    /**
+     * By row: its weight; the sum of each condition is the number of rows of the scene as it is, however much its zones
+     * weigh.
+     *
+     * @throws InputException when nothing has a weight
+     */
     double[] weights() {
         double[] weights = new double[all()];
+        int[] cells = cells();
         int row = 0;
         for (CellRows rows : scenes) {
-            Arrays.fill(weights, row, row + rows.size(), (double) size() / rows.size());
-            row += rows.size();
+            double sum = 0.0;
+            for (int at = row; at < row + rows.size(); at++) {
+                weights[at] = zones.of(column(cells[at]), row(cells[at]));
+                sum += weights[at];
+            }
+            if (sum == 0.0) {
+                throw weightless("all cells in which the drone can be");
+            }
+            for (int end = row + rows.size(); row < end; row++) {
+                weights[row] *= size() / sum;
+            }
         }
         return weights;
+    }
+
+    /** The rows of each zone that has a weight and of all other cells, as far as there are any. */
+    List<ZoneRows> zones() {
+        List<ZoneRows> all = new ArrayList<>();
+        int[] cells = cells();
+        BitSet others = new BitSet(size());
+        others.set(0, size());
+        for (int zone = 0; zone < zones.count(); zone++) {
+            BitSet rows = new BitSet(size());
+            for (int row = 0; row < size(); row++) {
+                rows.set(row, zones.isIn(zone, column(cells[row]), row(cells[row])));
+            }
+            others.andNot(rows);
+            all.add(new ZoneRows(zones.name(zone), zones.weight(zone), rows, OptionalDouble.empty()));
+        }
+        if (!all.isEmpty()) {
+            all.add(new ZoneRows("", AirSettings.WEIGHT, others, OptionalDouble.empty()));
+        }
+        all.removeIf(zone -> zone.rows().isEmpty());
+        return all;
     }
 
     /**

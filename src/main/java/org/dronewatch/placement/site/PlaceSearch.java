@@ -72,8 +72,9 @@ public final class PlaceSearch {
                 cells.size(),
                 problem,
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
+                zones(air),
                 air.assessed(),
-                air.present().map(columns -> present(columns, problem)),
+                air.present().map(this::present),
                 isComplete);
     }
 
@@ -134,14 +135,28 @@ public final class PlaceSearch {
     }
 
     /** The value of the scene's own sensors, on the same terms. */
-    private PresentLayout present(List<CandidateColumn> columns, PlacementProblem problem) {
+    private PresentLayout present(List<CandidateColumn> columns) {
+        PlacementProblem same = presentProblem(columns);
+        return new PresentLayout(columns.size(), same.value(all(same)) / cells.size());
+    }
+
+    private PlacementProblem presentProblem(List<CandidateColumn> columns) {
         List<Candidate> own = plan.present().enabledSensors().keySet().stream()
                 .map(name -> new Candidate(name, 0.0))
                 .toList();
         PlacementConditions conditions =
-                PlacementConditions.NONE.withFold(problem.conditions().fold());
-        PlacementProblem same = new PlacementProblem(table(own, columns), objective(), conditions);
-        List<Integer> all = IntStream.range(0, own.size()).boxed().toList();
-        return new PresentLayout(own.size(), same.value(all) / cells.size());
+                PlacementConditions.NONE.withFold(plan.settings().conditions().fold());
+        return new PlacementProblem(table(own, columns), objective(), conditions);
+    }
+
+    private static List<Integer> all(PlacementProblem problem) {
+        return IntStream.range(0, problem.table().size()).boxed().toList();
+    }
+
+    private List<ZoneRows> zones(Assessed air) {
+        Optional<PlacementProblem> present = air.present().map(this::presentProblem);
+        return cells.zones().stream()
+                .map(zone -> present.map(own -> zone.withPresent(own, all(own))).orElse(zone))
+                .toList();
     }
 }

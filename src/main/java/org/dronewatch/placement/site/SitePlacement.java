@@ -15,15 +15,16 @@ import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * The best layout that was found for a plan. Values are fractions of the airspace, that is, of the rows that
- * {@link CoveredCells} counts.
+ * {@link CoveredCells} counts, by their weight.
  *
  * @param plan what was asked for
  * @param grid the cells
  * @param headings number of headings on which each cell counts
  * @param rows the number of cells times the number of headings
- * @param problem the problem, whose rows have a weight of 1 each; under several conditions, the rows are repeated for
+ * @param problem the problem, whose rows have a mean weight of 1; under several conditions, the rows are repeated for
  *     each of them
  * @param result result of the search, in rows
+ * @param zones the protected zones that have a weight, and all other cells; empty if none has
  * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param complete whether every candidate and the scene's own sensors were assessed, and the search ran to completion
@@ -35,6 +36,7 @@ public record SitePlacement(
         int rows,
         PlacementProblem problem,
         PlacementResult result,
+        List<ZoneRows> zones,
         int assessed,
         Optional<PresentLayout> present,
         boolean complete)
@@ -42,13 +44,25 @@ public record SitePlacement(
     /** The same with another layout. */
     SitePlacement with(PlacementResult other) {
         return new SitePlacement(
-                plan, grid, headings, rows, problem, other, assessed, present, complete && other.complete());
+                plan, grid, headings, rows, problem, other, zones, assessed, present, complete && other.complete());
     }
 
     /** The same with another bound, in rows; none below the value. */
     SitePlacement within(double bound) {
         return with(new PlacementResult(
                 result.chosen(), result.value(), Math.max(result.value(), bound), result.cost(), result.complete()));
+    }
+
+    /** What is covered of each zone that has a weight, and of all other cells; empty if none has. */
+    public List<ZoneCoverage> byZone() {
+        return zones.stream()
+                .map(zone -> new ZoneCoverage(
+                        zone.zone(),
+                        zone.weight(),
+                        zone.rows().cardinality() / headings,
+                        zone.covered(problem, result.chosen()),
+                        zone.present()))
+                .toList();
     }
 
     /** The number of cells that count. */

@@ -33,6 +33,10 @@ final class CoverageChapter {
     PlaceChapter chapter() throws IOException {
         Map<String, Figure> pictures = new PlacePictures(results, stage).all();
         List<PlaceChapter.Section> sections = new ArrayList<>();
+        ZoneTable zones = new ZoneTable(best);
+        if (zones.isNeeded()) {
+            sections.add(new PlaceChapter.Section("Coverage by zone", zones.html()));
+        }
         if (results.fields().isPresent()) {
             LayoutFields fields = results.fields().get();
             sections.add(new PlaceChapter.Section("Coverage by height", byHeight(fields)));

@@ -52,6 +52,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
         table.early().ifPresent(lines::add);
         lines.addAll(new CoverageSentences(this).lines());
         lines.addAll(new FrontWords(measure()).lines(front));
+        lines.addAll(new ZoneTable(best()).lines());
         fields.ifPresent(its -> {
             lines.add("");
             lines.addAll(FieldsTable.lines(its, best()));
@@ -73,6 +74,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
     }
 
     private void addFields(ObjectNode root) {
+        new ZoneTable(best()).add(root);
         FieldsFile.add(root, fields, best().plan().settings().conditions().fold());
     }
 

@@ -10,7 +10,10 @@ public interface PlaceMeasure {
     /** The measure of a plan's objective. */
     static PlaceMeasure of(PlacePlan plan) {
         return switch (plan.settings().objective()) {
-            case COVERAGE -> new ShareMeasure(plan.settings().conditions().fold());
+            case COVERAGE ->
+                new ShareMeasure(
+                        plan.settings().conditions().fold(),
+                        !plan.settings().air().weights().isEmpty());
             case WARNING_TIME -> new SecondsMeasure(plan.settings().warning() == WarningMeasure.WORST);
             case WEAKEST_ROUTE -> new DetectionMeasure();
         };

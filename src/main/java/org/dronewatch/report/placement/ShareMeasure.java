@@ -9,8 +9,9 @@ import org.dronewatch.report.file.Numbers;
  * The fraction of the airspace that is covered, in words.
  *
  * @param fold number of sensors that must cover a cell
+ * @param isWeighted whether some cells count more than others
  */
-record ShareMeasure(int fold) implements PlaceMeasure {
+record ShareMeasure(int fold, boolean isWeighted) implements PlaceMeasure {
     @Override
     public String purpose() {
         return "";
@@ -28,7 +29,11 @@ record ShareMeasure(int fold) implements PlaceMeasure {
 
     @Override
     public String whole() {
-        return " of the airspace" + (fold > 1 ? " with " + fold + " sensors or more" : "");
+        return " of the " + air() + (fold > 1 ? " with " + fold + " sensors or more" : "");
+    }
+
+    private String air() {
+        return isWeighted ? "weighted airspace" : "airspace";
     }
 
     @Override
@@ -38,7 +43,7 @@ record ShareMeasure(int fold) implements PlaceMeasure {
 
     @Override
     public String axis() {
-        return "airspace covered [%]";
+        return air() + " covered [%]";
     }
 
     @Override
@@ -58,7 +63,8 @@ record ShareMeasure(int fold) implements PlaceMeasure {
 
     @Override
     public String columns() {
-        return "'Alone' is the part of the airspace that a sensor covers by itself, 'together' what all sensors so far cover.";
+        return "'Alone' is the part of the " + air()
+                + " that a sensor covers by itself, 'together' what all sensors so far cover.";
     }
 
     @Override

@@ -12,7 +12,7 @@ class FrontWordsTest {
     void budgetsThatAreTooLowAreWrittenAsOtherAmounts() {
         TriedBudgets tried = new TriedBudgets(14, List.of(20_000.0, 45_000.0), false);
 
-        assertThat(new FrontWords(new ShareMeasure(1)).tried(tried, PlaceWords::money))
+        assertThat(new FrontWords(new ShareMeasure(1, false)).tried(tried, PlaceWords::money))
                 .containsExactly(
                         "14 budgets were tried: a better buy may lie between two of them.",
                         "No layout complies with the conditions for these budgets, which were also tried: 20\u202f000 and"

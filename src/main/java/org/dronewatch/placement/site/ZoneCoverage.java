@@ -1,0 +1,14 @@
+package org.dronewatch.placement.site;
+
+import java.util.OptionalDouble;
+
+/**
+ * What is covered of a protected zone whose cells have a weight, each cell counting once on each heading.
+ *
+ * @param zone name of the zone; empty for all cells that are in none of the zones with weights
+ * @param weight of each of its cells
+ * @param cells the number of its cells that count, at all heights
+ * @param layout the fraction that the layout covers
+ * @param present the fraction that the scene's own sensors cover; empty if it is not known
+ */
+public record ZoneCoverage(String zone, double weight, int cells, double layout, OptionalDouble present) {}
