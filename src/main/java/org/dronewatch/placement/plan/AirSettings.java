@@ -22,9 +22,9 @@ import org.dronewatch.setting.input.LinkOut;
  * of {@code coverage} with the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
- * @param weights by the name of a protected zone: how much each cell counts whose centre is in that zone, 0 to 1000; all
- *     other cells have a weight of 1, and in several of these zones the greatest weight counts. Only for the objective
- *     {@code coverage}
+ * @param weights by the name of a protected zone: how much each cell counts whose centre is in that zone, 0 to 1000.
+ *     All other cells have a weight of 1, and in several of these zones the greatest weight counts. Only for the
+ *     objective {@code coverage}
  * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by
  *     default. For {@code weakest-route}, the square is around the protected zone and, by default, as large as that of
  *     {@code route}

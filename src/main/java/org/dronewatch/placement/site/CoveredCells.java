@@ -15,7 +15,6 @@ import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.field.InboundTarget;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.analysis.survey.FieldSummary;
-import org.dronewatch.fusion.AreaZone;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.PlacePlan;
@@ -33,11 +32,6 @@ import org.dronewatch.setting.InputException;
  * have {@link org.dronewatch.parallel.Workers}.
  */
 public final class CoveredCells {
-    /** The number of cells along a side unless the length of a cell is given. */
-    private static final double CELLS = 50.0;
-
-    private static final double NANOMETRES = 1e9;
-
     /** Maximum number of rows. */
     private static final int MOST = 2_000_000;
 
@@ -60,7 +54,7 @@ public final class CoveredCells {
     public CoveredCells(PlacePlan plan, Stage stage, LayerStore store) {
         this.plan = plan;
         this.stage = stage;
-        this.grid = grid(plan);
+        this.grid = AirGrid.of(plan);
         this.courses = courses();
         this.zones = new ZoneWeights(plan, grid);
         checkSize();
@@ -107,44 +101,6 @@ public final class CoveredCells {
             throw new InputException("air.heading inbound: the scene protects no zone towards which a drone could fly");
         }
         return List.of(Course.inbound(InboundTarget.of(plan.present(), stage.protection(), grid)));
-    }
-
-    /**
-     * A coordinate of a middle in whole nanometres: commands that name it again, without loss, are then not full of
-     * digits that rounding has left.
-     *
-     * @param coordinate m
-     */
-    static double printable(double coordinate) {
-        return Math.rint(NANOMETRES * coordinate) / NANOMETRES;
-    }
-
-    private static FieldGrid grid(PlacePlan plan) {
-        AirSettings air = plan.settings().air();
-        try {
-            if (air.area().isPresent()) {
-                AreaZone zone = ZoneWeights.zone(
-                        air.area().get(), "air.area", plan.present().alert());
-                double side = FieldGrid.over(zone, air.square(), air.levels()).side();
-                return FieldGrid.over(zone, air.cell().orElse(side / CELLS), air.levels());
-            }
-            double east = plan.candidates().stream()
-                    .mapToDouble(one -> one.sensor().position().x())
-                    .average()
-                    .orElse(0.0);
-            double north = plan.candidates().stream()
-                    .mapToDouble(one -> one.sensor().position().y())
-                    .average()
-                    .orElse(0.0);
-            return FieldGrid.square(
-                    printable(east),
-                    printable(north),
-                    air.square(),
-                    air.cell().orElse(air.square() / CELLS),
-                    air.levels());
-        } catch (IllegalArgumentException e) {
-            throw new InputException("air: " + e.getMessage(), e);
-        }
     }
 
     /** The grid. */

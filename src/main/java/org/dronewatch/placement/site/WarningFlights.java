@@ -64,8 +64,8 @@ final class WarningFlights {
             Position middle = InboundTarget.of(plan.present(), stage.protection());
             double side = air.square();
             return FieldGrid.square(
-                    CoveredCells.printable(middle.x()),
-                    CoveredCells.printable(middle.y()),
+                    AirGrid.printable(middle.x()),
+                    AirGrid.printable(middle.y()),
                     side,
                     air.cell().orElse(side / CELLS),
                     air.levels());

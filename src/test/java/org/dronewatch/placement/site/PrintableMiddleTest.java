@@ -16,6 +16,6 @@ class PrintableMiddleTest {
         "1e-13, 0.0"
     })
     void hasNoDigitsOfRounding(double middle, String printed) {
-        assertThat(Double.toString(CoveredCells.printable(middle))).isEqualTo(printed);
+        assertThat(Double.toString(AirGrid.printable(middle))).isEqualTo(printed);
     }
 }
