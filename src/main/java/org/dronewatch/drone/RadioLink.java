@@ -16,7 +16,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param control type of control
  * @param frequency carrier, 1 MHz to 100 GHz, Hz
  * @param power equivalent isotropic radiated power of the drone, -100 to 100 dBm
- * @param pilot position of the pilot's transmitter, m; omit it if the pilot cannot be received
+ * @param pilot position of the pilot's transmitter, m; omit it if that transmitter cannot be received
  * @param pilotPower equivalent isotropic radiated power of the pilot's transmitter, -100 to 100 dBm
  * @param emission type of signal, by which a receiver can recognise it as a drone's
  * @param bursts bursts and hops of the transmission; omit it for a transmission without pauses on one channel
@@ -29,7 +29,7 @@ public record RadioLink(
         @In(value = Quantity.LEVEL, from = -100, to = 100) double pilotPower,
         @Minor Emission emission,
         @Minor Optional<Bursts> bursts) {
-    /** Remote control at 2.4 GHz, 20 dBm from the drone; the pilot cannot be received. */
+    /** Remote control at 2.4 GHz, 20 dBm from the drone; the pilot's transmitter cannot be received. */
     @Defaults
     public static final RadioLink DEFAULT =
             new RadioLink(Control.RADIO, 2.4e9, 20.0, Optional.empty(), 20.0, Emission.DEDICATED, Optional.empty());

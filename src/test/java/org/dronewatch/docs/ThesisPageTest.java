@@ -228,7 +228,7 @@ class ThesisPageTest {
 
     @Test
     void theFiguresOfDividedEnergyAreThoseOfARun() throws IOException {
-        assertThat(differs("distribution of reflected sound by a ratio of diffraction"))
+        assertThat(differs("reflected sound split into specular and scattered parts (the thesis: \"ratio of diffraction\")"))
                 .contains(String.format(
                         Locale.ROOT,
                         "is %.3f instead of %.3f",

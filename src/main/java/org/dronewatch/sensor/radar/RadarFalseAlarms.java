@@ -13,8 +13,8 @@ import org.dronewatch.setting.SettingsForm;
  * probability in one cell (Skolnik, Introduction to Radar Systems, section 2.5). Noise is independent between cells and
  * between scans.
  *
- * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it to use the
- *     probability stated for {@code detection: chance} or in a data sheet
+ * @param probability probability of a false alarm in one cell and one scan, 1e-15 to 0.01; omit it to use that of a
+ *     detection of kind {@code chance} ({@code falseAlarm}), or the one that the data sheet states
  * @param cells number of resolution cells in a scan, 1 to 1e12; omit it to compute it for a hardware budget: range
  *     cells times beams times Doppler cells
  * @param gate number of cells within which detections of successive scans count as those of one target, 1 to 1e6
