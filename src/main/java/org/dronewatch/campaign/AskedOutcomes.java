@@ -6,7 +6,7 @@ import org.dronewatch.campaign.outcome.Outcome;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.setting.InputException;
 
-/** Whether what a campaign asks for can be known in any case of its scene. */
+/** Whether what a campaign asks for can be known in any of its cases. */
 final class AskedOutcomes {
     private static final String RESPONSE = "alert.response";
 
@@ -45,7 +45,7 @@ final class AskedOutcomes {
             missing = Optional.of("states no response time (" + RESPONSE + ")");
         }
         if (missing.isPresent()) {
-            throw new InputException(asked + " is not known in any case, because the scene "
+            throw new InputException(asked + " is not known in any of the cases, because the scene "
                     + plan.variant(variant).described().name() + " " + missing.get());
         }
     }

@@ -31,7 +31,7 @@ final class SiteReport {
     /** Image width for one of many runs, which keeps the file small. */
     private static final int WIDTH_OF_MANY = 640;
 
-    /** Images are smaller from this number of runs on. */
+    /** With this many runs or more, images are smaller. */
     private static final int MANY_RUNS = 4;
 
     /** Maximum number of sensors whose plots are included. */

@@ -23,11 +23,11 @@ public record SensorDescription(
     }
 
     /**
-     * The description of a sensor for which a drone with insufficient signal is reported as {@code too weak}, and whose
-     * model leaves out nothing worth mentioning.
+     * The description of a sensor for which a drone with insufficient signal is reported as {@code signal too weak},
+     * and whose model leaves out nothing worth mentioning.
      */
     public static SensorDescription measuring(String measures) {
-        return new SensorDescription(measures, "too weak", List.of(), Map.of());
+        return new SensorDescription(measures, "signal too weak", List.of(), Map.of());
     }
 
     /** This description with other words for a drone whose signal is insufficient. */

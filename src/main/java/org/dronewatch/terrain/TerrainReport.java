@@ -99,7 +99,7 @@ record TerrainReport(TerrainSettings settings, Mosaic mosaic, List<ElevationFile
                 ? ""
                 : String.format(
                         Locale.ROOT,
-                        ", %.1f m at the origin, which is z = %.1f m",
+                        ", %.1f m at the origin (z = %.1f m)",
                         level,
                         tenths(level - origin.height().orElse(0.0)));
     }

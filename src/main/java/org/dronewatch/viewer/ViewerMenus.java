@@ -84,7 +84,7 @@ final class ViewerMenus {
                 pane.comparing()::toggle));
         menu.add(item(
                 "Compute coverage",
-                "Computes where the sensors detect a drone, and shows it in the site",
+                "Computes where the sensors detect a drone, and shows it over the site",
                 ViewerActions.shiftedMenuKey(KeyEvent.VK_K),
                 pane::showCoverage));
         return menu;

@@ -79,7 +79,7 @@ class TerrainSceneTest {
         assertThat(String.join("\n", notes))
                 .contains("read ground.asc: 41 x 41 posts, EPSG:32633")
                 .contains("0.10 km west, 0.10 km east, 0.10 km north and 0.10 km south of the origin")
-                .contains("200.0 to 220.0 m high, 200.0 m at the origin, which is z = 0.0 m")
+                .contains("200.0 to 220.0 m high, 200.0 m at the origin (z = 0.0 m)")
                 .contains("3,200 of 3,200 triangles, maximum vertical error 0.000 m (accuracy: 0.0 m), no holes");
     }
 
@@ -328,7 +328,7 @@ class TerrainSceneTest {
     void groundAtTheOriginsHeightIsAtZero() throws IOException {
         Outcome outcome =
                 Program.run("check", scene(SITE.replace("200 m", "200.01 m")).toString());
-        assertThat(outcome.err()).contains("200.0 m at the origin, which is z = 0.0 m");
+        assertThat(outcome.err()).contains("200.0 m at the origin (z = 0.0 m)");
     }
 
     /** Each mistake is a line with its place in the file, and exit code 2. */

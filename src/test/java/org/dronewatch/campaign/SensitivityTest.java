@@ -143,10 +143,11 @@ class SensitivityTest {
         for (String output : List.of("warning_s", "in_time")) {
             refused(
                     String.format(sobol, output),
-                    "sensitivity.output: " + output + " is not known in any case, because the scene site protects"
+                    "sensitivity.output: " + output
+                            + " is not known in any of the cases, because the scene site protects"
                             + " nothing (alert.protect)");
         }
-        refused(until, "until.of: in_time is not known in any case, because the scene site protects nothing");
+        refused(until, "until.of: in_time is not known in any of the cases, because the scene site protects nothing");
         assertThat(read(String.format(sobol, "range_m")).sensitivity()).isPresent();
 
         Files.writeString(site, text.replace("response: 12 s", "response: 0 s"));

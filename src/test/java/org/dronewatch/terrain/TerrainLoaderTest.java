@@ -509,7 +509,7 @@ class TerrainLoaderTest {
         assertThat(ground(settings.withVerticalOffset(-45.0), origin.withHeight(240.0)))
                 .isEqualTo(-35.0, within(1e-4));
         assertThat(load(settings, origin.withHeight(240.0)).description())
-                .anyMatch(line -> line.contains("250.0 m at the origin, which is z = 10.0 m"));
+                .anyMatch(line -> line.contains("250.0 m at the origin (z = 10.0 m)"));
     }
 
     private double ground(TerrainSettings settings, Origin origin) {

@@ -174,7 +174,7 @@ public final class CampaignWords {
                         expected.low(),
                         one.count(),
                         one.of()))
-                .orElse(what + ": not known in any case");
+                .orElse(what + ": not known in any of the cases");
     }
 
     /** A setting by its path, or chance. */

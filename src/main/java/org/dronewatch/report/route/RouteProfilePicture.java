@@ -29,7 +29,7 @@ final class RouteProfilePicture {
         XYChart chart = Charts.chart(
                 inputs.scene() + ": the route from the " + RouteWords.sector(route),
                 "distance flown [m]",
-                "height in the world [m]");
+                "height (z) [m]");
         List<RoutePoint> points = route.profile().points();
         double[] distances = points.stream().mapToDouble(RoutePoint::distance).toArray();
         double[] ground = points.stream()

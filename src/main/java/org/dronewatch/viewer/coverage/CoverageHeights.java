@@ -26,7 +26,7 @@ public final class CoverageHeights extends JPanel {
      */
     CoverageHeights(Runnable chosen, Runnable shown) {
         super(new BorderLayout(Scaled.px(6), 0));
-        box.setToolTipText("Shows or hides the coverage in the site");
+        box.setToolTipText("Shows or hides the coverage over the site");
         box.addActionListener(e -> shown.run());
         slider.setToolTipText("Height above the ground, m");
         slider.setSnapToTicks(true);

@@ -142,7 +142,7 @@ class CoverageTest {
                         "out of range",
                         "out of view",
                         "hidden by a building",
-                        "too weak");
+                        "signal too weak");
         assertThat(lines).hasSize(5);
         double[] round = percents(lines.get(2), "round", "radar");
         assertThat(round[0]).isCloseTo(disc - shadow, within(1.0));

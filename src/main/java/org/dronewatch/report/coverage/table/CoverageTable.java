@@ -21,7 +21,7 @@ public final class CoverageTable {
     /** Fractions below this are more than nothing, but less than what a table shows, %. */
     private static final double LEAST_SHOWN = 0.05;
 
-    /** Fractions from here on are less than all, but round to 100, %. */
+    /** Fractions of at least this are less than all, but round to 100, %. */
     private static final double MOST_ROUNDED = 99.95;
 
     private CoverageTable() {}
@@ -80,7 +80,7 @@ public final class CoverageTable {
             case HIDDEN_BY_BUILDING -> "hidden by a building";
             case HIDDEN_BY_VEGETATION -> "hidden by vegetation";
             case HIDDEN_BY_OTHER -> "hidden by another object";
-            case TOO_WEAK -> "too weak";
+            case TOO_WEAK -> "signal too weak";
             case DETECTED -> "detected";
         };
     }

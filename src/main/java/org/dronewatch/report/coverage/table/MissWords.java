@@ -27,7 +27,7 @@ final class MissWords {
     /** A value below this is written as less than 0.1, dB. */
     private static final double LEAST_SHOWN = 0.05;
 
-    /** Percentages from here on are rounded to 100, which represents all cells. */
+    /** Percentages of at least this are rounded to 100, which represents all cells. */
     private static final double MOST_ROUNDED = 99.5;
 
     private static final String DECIBELS = "dB";

@@ -67,9 +67,10 @@ public final class WorstPlaces {
         html.append(Html.plain(
                 "p",
                 "Signals and obstacles are stated for the height at which a gap is largest. For radars, radio receivers"
-                        + " and microphones, the strongest and the weakest signal are those of the whole gap, where they"
-                        + " are certain; other signals, and the obstacles, are those of up to "
-                        + GapEvidence.MOST_SPREAD + " cells for each sensor and cause, spread evenly over the gap."));
+                        + " and microphones, the strongest and the weakest signal are those in all cells of the gap"
+                        + " whose signal was computed and not only bounded; other signals, and the obstacles, are those in"
+                        + " up to " + GapEvidence.MOST_SPREAD
+                        + " cells for each sensor and cause, spread evenly over the gap."));
         return html.toString();
     }
 
@@ -185,7 +186,7 @@ public final class WorstPlaces {
             }
         }
         if (others > 0) {
-            rows.add(List.of(Counted.of(others, "other"), "farther from a detection"));
+            rows.add(List.of(Counted.of(others, "other"), "not shown: even farther from detecting the drone"));
         }
         return rows;
     }
