@@ -7,8 +7,8 @@ import org.dronewatch.geometry.Position;
 /** The geometry of a sensor's field of view, for drawing: it takes no account of occlusion or of detection range. */
 public sealed interface Outline {
     /**
-     * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans
-     * all round.
+     * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans a
+     * full circle.
      */
     double ROUNDING = 1e-9;
 
@@ -104,7 +104,7 @@ public sealed interface Outline {
      *
      * @param azimuth azimuth of its centre, clockwise from north, rad
      * @param elevation elevation of its centre, above the horizon, rad
-     * @param azimuthWidth its width, rad; 2 pi for all round
+     * @param azimuthWidth its width, rad; 2 pi for a full circle
      * @param elevationWidth its height, rad
      * @param minRange where it begins, m
      * @param maxRange where it ends, m

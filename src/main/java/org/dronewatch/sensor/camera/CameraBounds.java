@@ -26,7 +26,7 @@ import org.dronewatch.world.World;
 final class CameraBounds {
     private static final Position AT_REST = new Position(0, 0, 0);
 
-    /** So many signals of few pixels are kept. */
+    /** The signals of fewer pixels than this are kept. */
     private static final int KEPT = 1 << 10;
 
     private final World world;
@@ -143,8 +143,8 @@ final class CameraBounds {
     }
 
     /**
-     * A condition that holds from some number of pixels on, evaluated only where earlier answers leave it open; for no
-     * pixel at all it is another one.
+     * A condition that holds for some number of pixels and for any greater one, evaluated only where earlier answers
+     * leave it open. Without any pixel it is always evaluated, as it may be a different one there.
      */
     private static final class Enough implements IntPredicate {
         private final IntPredicate condition;

@@ -142,7 +142,7 @@ public final class PixelBounds {
         return found;
     }
 
-    /** Counts the pixels that certainly show the drone, until there are a number of them; whether there are. */
+    /** Counts the pixels that certainly show the drone, up to a sufficient number; whether there are that many. */
     private boolean countCertain(int sufficient) {
         int first = 0;
         while (least < sufficient && pixels.has(first)) {

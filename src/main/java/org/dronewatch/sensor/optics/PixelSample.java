@@ -18,13 +18,16 @@ final class PixelSample {
     /** Both {@link SilhouetteMask#INSIDE} and {@link #FREE} have all bits below this one set, and are the greatest. */
     private static final int INSIDE_BIT = 2;
 
-    /** Of more pixels around a drone than this, only some are examined: those of every n-th row and column. */
+    /** If there are more pixels around a drone than this, only those of every n-th row and column are examined. */
     private static final int MOST_PIXELS = 1 << 12;
 
     /** The same where the sample has not been sufficient. */
     private static final int MOST_PIXELS_ON_REQUEST = 1 << 20;
 
-    /** Of still more, those in the middle rows are examined: there they show the body of a drone very close. */
+    /**
+     * If there are still more, only those in the middle rows, up to about this number, are examined: a drone so near
+     * shows its body there.
+     */
     private static final int MIDDLE_PIXELS = 1 << 17;
 
     /** Rounding of distances, which are of single precision, and of projections. */
@@ -46,7 +49,7 @@ final class PixelSample {
     private byte[] sights = new byte[64];
     private int around;
 
-    /** Examined are the pixels of every n-th row and column. */
+    /** The pixels of every n-th row and column are examined. */
     private int stride;
 
     /** The number of pixels of which these are a sample, or more. */
@@ -221,7 +224,7 @@ final class PixelSample {
         return around;
     }
 
-    /** Of some pixels, from the first to before the last, how many certainly show the drone. */
+    /** How many of some pixels certainly show the drone: those from the first up to, but not including, the last. */
     int countCertain(SilhouetteMask mask, int first, int last) {
         int count = 0;
         for (int i = first; i < last; i++) {

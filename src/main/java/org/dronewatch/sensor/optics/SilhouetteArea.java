@@ -98,8 +98,8 @@ public final class SilhouetteArea {
     }
 
     /**
-     * Narrows the bounds until they are decisive, for a drone that nothing hides: traces rays about which the mask
-     * leaves a doubt. In the end, the bounds are equal but for rounding.
+     * Narrows the bounds until they are decisive, for a drone that nothing hides: traces rays that the mask leaves in
+     * doubt. In the end, the bounds are equal but for rounding.
      *
      * @param drone the one that was bounded last
      * @param isDecisive whether the bounds as they are now suffice; if they do, narrower ones must as well

@@ -148,7 +148,10 @@ public sealed interface RadarDetection {
             @In(value = Quantity.NUMBER, from = 1e-12, to = 0.01) double falseAlarm,
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int pulses)
             implements RadarDetection {
-        /** Noise alone may be taken for a target, but not for a drone without an echo, dB. */
+        /**
+         * Signal-to-noise ratio below which a drone counts as having no echo, dB: noise alone may be taken for a
+         * target, but does not count as a detection of such a drone.
+         */
         private static final double FAINTEST = -100.0;
 
         private static final double EVEN_CHANCE = 0.5;

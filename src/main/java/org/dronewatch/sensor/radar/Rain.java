@@ -94,7 +94,7 @@ public final class Rain {
         return Math.pow(Math.PI, 5) * WATER * z / (wavelength * wavelength * wavelength * wavelength);
     }
 
-    /** Equations (2) and (3): a straight line and bells over the logarithm of the frequency in GHz. */
+    /** Equations (2) and (3): a straight line and Gaussian curves over the logarithm of the frequency in GHz. */
     private record Fit(double[] heights, double[] centres, double[] widths, double slope, double constant) {
         double at(double x) {
             double sum = slope * x + constant;

@@ -9,9 +9,9 @@ import org.dronewatch.world.World;
 /**
  * What a radar sees of the surface of a site between two ranges at a bearing: the elevations from the skyline of all
  * that lies within the nearer range up to that within the farther one. What lies in the shadow of something nearer is
- * thus left out, slopes and walls count as they face the radar, and the only assumption about the mesh is that
- * everything below a skyline is blocked: no radar looks through under a bridge. Allocates nothing but what {@link
- * Ground} returns. One per thread.
+ * thus left out, slopes and walls count to the extent that they face the radar, and the only assumption about the mesh
+ * is that everything below a skyline is blocked: no radar looks through under a bridge. Allocates nothing but what
+ * {@link Ground} returns. One per thread.
  */
 final class VisibleGround {
     /** Elevations are found to this fraction of what the cell fills if nothing hides it. */
@@ -51,7 +51,7 @@ final class VisibleGround {
      * Looks at a bearing.
      *
      * @param azimuth clockwise from north, rad
-     * @param near where the range cell begins, m; from the radar on if 0 or less
+     * @param near where the range cell begins, m; at the radar itself if 0 or less
      * @param far where it ends, above 0, m
      * @return whether some of the surface in the cell is in sight, between the elevations {@link #low} and
      *     {@link #high}

@@ -90,7 +90,10 @@ public final class RadioPath {
             return isBlocked() ? ofBlocked() : over.loss() + left.loss() + right.loss();
         }
 
-        /** By rounding, a line along an edge may be blocked in one section only: then the paths in that one count. */
+        /**
+         * Because of rounding, a line along an edge may be blocked in one section only: then the paths in that one
+         * count.
+         */
         private double ofBlocked() {
             double beside = left.loss() + right.loss();
             if (!isLevelBlocked) {

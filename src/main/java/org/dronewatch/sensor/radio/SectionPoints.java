@@ -3,8 +3,8 @@ package org.dronewatch.sensor.radio;
 import java.util.Arrays;
 
 /**
- * The points of a section, each once: u along its line and t across it, m. Points are equal to the last bit. Allocates
- * only when there are more points than ever before. One per thread.
+ * The points of a section, each once: u along its line and t across it, m. Points are the same only if their
+ * coordinates are equal to the last bit. Allocates only when there are more points than ever before. One per thread.
  */
 final class SectionPoints {
     private static final int FIRST = 64;

@@ -243,8 +243,8 @@ public record RfSettings(
     }
 
     /**
-     * Why this receiver does not hear a link: it transmits nothing, on a frequency that is not received, then with the
-     * limit of the frequencies that are, or nothing that can be recognised as a drone's.
+     * Why this receiver does not hear a link: it transmits nothing, or nothing that can be recognised as a drone's, or
+     * it transmits on a frequency that is not received; the explanation then states the limit of those that are.
      */
     Explanation silence(RadioLink link) {
         if (!link.emits() || receives(link.frequency())) {

@@ -10,8 +10,8 @@ final class SpotConfirmation {
     /**
      * The probability that at least M of N successive frames mark a spot in at least one of several successive frames.
      * For N up to 12 it is exact, as it follows the probabilities of all sequences of the last N - 1 marks. For longer
-     * rules each frame is taken to depend on the one before alone, which is exact for up to two frames and otherwise
-     * too low by at most 0.1.
+     * rules each frame is assumed to depend only on the one before it, which is exact for up to two frames and
+     * otherwise too low by at most 0.1.
      *
      * @param windows number of frames in which the spot may be confirmed, 1 or more
      * @param hits M

@@ -126,7 +126,7 @@ public final class NearEdges {
      * The point of an edge over which the path is shortest: where it is straight once both legs are turned into a
      * plane.
      *
-     * @param raised by how much the edge is higher where arcs of sound are straight, m
+     * @param raised by how much the edge is higher when arcs of sound are drawn as straight lines, m
      */
     private static Position nearest(Position source, Position sensor, Position low, Position high, double raised) {
         Position one = raised == 0.0 ? low : low.plus(new Position(0.0, 0.0, raised));

@@ -146,7 +146,7 @@ final class EdgeLoss {
 
     /**
      * The attenuation by the edges of the shortest path, dB, or, where others are nearly as short, the mean of all
-     * these: the less, the longer they are.
+     * these, in which longer ones have less weight.
      */
     private double loss(double wavelength) {
         double ofShortest = loss(path.edges(), wavelength);

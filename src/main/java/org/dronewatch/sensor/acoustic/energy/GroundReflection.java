@@ -29,7 +29,8 @@ final class GroundReflection {
 
     /**
      * The least that is left of sound that bends up, as a fraction of the free field: turbulence scatters as much into
-     * the deepest shadow and into the deepest interference at its border, {@value Barrier#LIMIT} dB.
+     * the deepest shadow as into the deepest interference at its border, so that neither is deeper than {@value
+     * Barrier#LIMIT} dB.
      */
     static final double DEEPEST = Levels.toRatio(-Barrier.LIMIT);
 

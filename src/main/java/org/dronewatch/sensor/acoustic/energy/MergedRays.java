@@ -19,7 +19,7 @@ final class MergedRays {
     /** Rays meet within this fraction of the radius of the receiver. */
     private static final double NEAR = 0.5;
 
-    /** Least cosine of the angle between the normals of two points that count as of the same surface. */
+    /** Least cosine of the angle between the normals of two points that count as belonging to the same surface. */
     private static final double ALIKE = 0.99;
 
     /** How far one of them may be off the plane of the other one, as a fraction of their distance. */

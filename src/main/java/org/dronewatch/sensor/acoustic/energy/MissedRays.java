@@ -6,15 +6,15 @@ import org.dronewatch.sound.OctaveBands;
 
 /**
  * An allowance for rays that were not drawn: what a rare ray may contribute that is scattered once, by a surface near
- * one of the ends that the others have missed. It is known beforehand, from no ray, for the case in which none has
- * shown such a surface; where there is no such surface it is too large.
+ * one of the ends that the others have missed. It is for the case in which no ray has shown such a surface, and
+ * therefore does not depend on what rays contribute; where there is no such surface it is too large.
  *
  * <p>A path that is scattered once, at the distances l and d from the ends and at the angles a and b to the surface's
  * normal, is found by rays from both ends. By the balance heuristic ({@link Connections}) each of them contributes E /
  * (pi (l^2 / cos a + d^2 / cos b)), E being the fraction of the energy that the surface scatters. However the surface
  * lies, the sum in brackets is not below the square of the distance between the ends. E is that of the materials that a
  * few rays from either end meet. Each end may have image sources near it: the allowance is for one end over ground and
- * the other one in a corner of ground and wall, which makes {@value #PATHS} paths. It is no bound of what a ray can
+ * the other one in a corner of ground and wall, which makes {@value #PATHS} paths. It is not a bound on what a ray can
  * contribute: more image sources, several scatterings and the directivity of the source may add to it. One per thread.
  */
 final class MissedRays {

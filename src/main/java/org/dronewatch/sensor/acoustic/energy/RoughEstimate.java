@@ -19,7 +19,7 @@ final class RoughEstimate {
     /** A sample nearer to an end than this does not represent others, m. */
     private static final double NEAREST = 1.0;
 
-    /** Below this power of ten, walls count as transmitting as much. */
+    /** Walls that transmit less than this power of ten count as transmitting this much. */
     private static final double LEAST_DECADE = -8.0;
 
     private final Visibility visibility;

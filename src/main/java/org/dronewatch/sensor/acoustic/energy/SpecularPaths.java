@@ -23,7 +23,7 @@ final class SpecularPaths {
     /** Images nearer to each other than this multiple of the planes' tolerance count as one. */
     private static final double ALIKE = 100.0;
 
-    /** From this number of paths on, no neighbours are searched for. */
+    /** Once this many paths are known, no more neighbours are searched for. */
     private static final int MOST_NEIGHBOURS = 64;
 
     private final WallPlanes planes;

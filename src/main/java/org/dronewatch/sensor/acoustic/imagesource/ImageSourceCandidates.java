@@ -157,7 +157,7 @@ public final class ImageSourceCandidates {
         return new ImageSources(itsParents, itsWalls);
     }
 
-    /** Those of most worth of more images than that; of equal ones those that were added first. */
+    /** The images of most worth, if there are more than can be kept; of equal ones, those that were added first. */
     private int[] mostWorthy(int[] images, int most) {
         double[] sorted = Arrays.stream(images)
                 .mapToDouble(image -> worths[image])

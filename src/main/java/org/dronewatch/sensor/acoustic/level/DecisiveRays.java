@@ -31,7 +31,7 @@ final class DecisiveRays {
         this.leastLoss = surfaces.leastLoss();
     }
 
-    /** Whether a ray from a surface, or one that comes of it, can be loud enough at the sensor. */
+    /** Whether a ray from a surface, or one that descends from it, can be loud enough at the sensor. */
     boolean include(AcousticRay ray) {
         ScatteredRays.Wanted wanted = of(ray);
         return wanted == ScatteredRays.Wanted.ALL || wanted == ScatteredRays.Wanted.DIRECTED && isDirectedAtSensor(ray);

@@ -107,7 +107,8 @@ public final class LevelTracer {
     }
 
     /**
-     * Whether one ray from a drone, or a ray that comes of it, is loud enough; the ray budget must not end any ray.
+     * Whether one ray from a drone, or a ray that descends from it, is loud enough; the ray budget must not end any
+     * ray.
      *
      * @param seed of the directions of scattered rays
      */

@@ -10,11 +10,11 @@ import org.dronewatch.world.World;
 
 /**
  * The probability that a look of the level model detects a drone. The rays of a look are independent, so it misses the
- * drone if the straight ray and all n rays in random directions, with what comes of each, are too quiet: {@code m = m0
- * (1 - q)^n}. A ray that hits a surface is missed if the specular ray, that straight at the sensor and the k scattered
- * ones are: {@code m0 = m1 m2 (1 - s)^k}. The probabilities q and s are those of single rays, of which many are traced
- * in directions that are spread evenly, so that far fewer rays are needed than in whole looks. The ray budget must not
- * end any ray. Not thread-safe.
+ * drone if the straight ray and all n rays in random directions, with all that descend from each, are too quiet: {@code
+ * m = m0 (1 - q)^n}. A ray that hits a surface is missed if the specular ray, that straight at the sensor and the k
+ * scattered ones are: {@code m0 = m1 m2 (1 - s)^k}. The probabilities q and s are those of single rays, of which many
+ * are traced in directions that are spread evenly, so that far fewer rays are needed than in whole looks. The ray
+ * budget must not end any ray. Not thread-safe.
  */
 final class LookProbability {
     /** Scattered rays of the straight ray that are traced, at most. */
@@ -29,7 +29,7 @@ final class LookProbability {
     /** Fewer rays show nothing. */
     private static final int FEWEST = 256;
 
-    /** About as many ray segments are traced at most. */
+    /** The approximate maximum number of ray segments that are traced. */
     private static final long MOST_SEGMENTS = 2_000_000;
 
     /**
@@ -188,7 +188,7 @@ final class LookProbability {
     }
 
     /**
-     * The probability that a ray, with all that comes of it, is missed.
+     * The probability that a ray, with all that descend from it, is missed.
      *
      * @param number of scattered rays that are traced at most if it hits a surface
      * @param others the probability that all other rays so far are missed

@@ -150,7 +150,7 @@ final class RayChunk {
         reflections.acousticDistribution(ray, distance, triangle, arriving, draw);
     }
 
-    /** Too quiet a ray is not worth tracing: nothing that comes of it can be detected. */
+    /** A ray that is too quiet is not worth tracing: nothing that descends from it can be detected. */
     private void keep(AcousticRay branch) {
         if (branch.level >= detectionLevel && (!areOnlyDecisiveWanted(branch) || decisive.include(branch))) {
             branches.add(branch);

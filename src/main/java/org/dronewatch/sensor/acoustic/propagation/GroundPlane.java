@@ -43,7 +43,7 @@ public final class GroundPlane {
     private Position to;
     private double distance;
 
-    /** How the ground is bent where arcs are straight, 1/m. */
+    /** How the ground is bent when arcs are drawn as straight lines, 1/m. */
     private double bulge;
 
     private double unevenness;
@@ -232,7 +232,7 @@ public final class GroundPlane {
         return profile.isSeen(u, v, Math.max(z, mirror) + SPREAD * unevenness + Clearance.GAP, bulge);
     }
 
-    /** How much higher the ground is where arcs are straight, m. */
+    /** How much higher the ground is when arcs are drawn as straight lines, m. */
     private double raised(double u) {
         return PathCurvature.sag(bulge, distance, u);
     }

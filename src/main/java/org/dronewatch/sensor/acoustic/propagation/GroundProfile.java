@@ -46,7 +46,7 @@ final class GroundProfile {
     /**
      * Whether nothing is in the way between a point at a height, m, and the two points.
      *
-     * @param bulge how the ground is bent where arcs are straight, by level distances, 1/m
+     * @param bulge how the ground is bent when arcs are drawn as straight lines, by level distances, 1/m
      */
     boolean isSeen(double u, double v, double z, double bulge) {
         return isSeenFrom(from, x(u, v), y(u, v), z, bulge) && isSeenFrom(to, x(u, v), y(u, v), z, bulge);
