@@ -118,8 +118,8 @@ public record CalibratedEntry(
     }
 
     /**
-     * The settings of a drone's sound by which the sensor hears it; none if it does not listen. All of them decide
-     * where they do not state it alone, because the emission may use any of them.
+     * The settings of a drone's sound by which the sensor hears it; none if it does not listen. Unless they alone state
+     * the emission, all of them count, and the emission itself, which may use any of them.
      */
     private List<String> heard(DroneSettings flying) {
         SensorSettings<?> fitted = fit.sensor();

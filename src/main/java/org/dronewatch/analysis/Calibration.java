@@ -156,8 +156,9 @@ public record Calibration(
         }
 
         /**
-         * The greatest range inside which a pixel count stays reached for the distance flown between two looks, or down
-         * to {@link #NEAREST}, searched for from far away inwards, m; NaN when there is none.
+         * The greatest range from which a drone that comes nearer fills the required number of pixels for the distance
+         * flown between two looks, or down to {@link #NEAREST}; searched for from far away inwards, m; NaN when there
+         * is none.
          */
         private double greatestByCount(double threshold, double about) {
             FreeSight.Probability look = sight.of(sensor.withThreshold(threshold));

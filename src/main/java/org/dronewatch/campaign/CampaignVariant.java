@@ -29,7 +29,7 @@ record CampaignVariant(
      * @param changes the variant's settings by their paths
      * @param first the first variant, unless this is the first: if both have the same scene, they share its models
      * @param notes receives a line for each file read, and each warning
-     * @throws InputException when the scene, a setting or a model is wrong
+     * @throws InputException when the scene, a setting or a model is invalid
      */
     static CampaignVariant of(
             String name,

@@ -40,7 +40,7 @@ public record Expectation(
         return variant.orElseGet(() -> plan.variants().get(0));
     }
 
-    /** The probability as far as the campaign knows it; empty if the outcome makes no sense in any case. */
+    /** The probability as far as the campaign knows it; empty if the outcome is not known for any of the cases. */
     public Optional<Proportion> proportion(CampaignPlan plan, CampaignSummary summary) {
         return summary.variants().get(variantIn(plan)).proportion(of);
     }
@@ -50,7 +50,7 @@ public record Expectation(
         return interval(plan, summary).map(one -> one.low() >= low).orElse(false);
     }
 
-    /** The interval by which the expectation is judged; empty if the outcome makes no sense in any case. */
+    /** The interval by which the expectation is judged; empty if the outcome is not known for any of the cases. */
     public Optional<Proportion.Interval> interval(CampaignPlan plan, CampaignSummary summary) {
         return proportion(plan, summary).map(one -> plan.settings()
                 .until()

@@ -151,7 +151,7 @@ public final class Catalog implements Kinds.NamedSettings {
     /**
      * The entry of a sensor; empty when there is none of this name.
      *
-     * @throws InputException when its file is wrong
+     * @throws InputException when its file is invalid
      */
     public Optional<CatalogEntry> entry(String name) {
         Path start = directory.orElse(Path.of(""));
@@ -187,7 +187,7 @@ public final class Catalog implements Kinds.NamedSettings {
      * @param id the name of the system in the scene; its part {@code radar} is then {@code ID-radar}
      * @param name of the system, one whose parts {@link #partsOf} knows
      * @param position of all of them, m
-     * @throws InputException when one of its entries is wrong
+     * @throws InputException when one of its entries is invalid
      */
     public Map<String, SensorSettings<?>> settingsOfSystem(String id, String name, Position position) {
         Node.Mapping placed =

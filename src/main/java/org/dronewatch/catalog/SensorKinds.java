@@ -13,7 +13,7 @@ public final class SensorKinds {
     /**
      * The settings of each kind by its name.
      *
-     * @throws org.dronewatch.setting.InputException when a kind on the class path is wrong
+     * @throws org.dronewatch.setting.InputException when a kind on the class path is invalid
      */
     public static Map<String, Class<?>> all() {
         return Choices.of(SensorSettings.class);

@@ -32,7 +32,10 @@ public record FlightLimits(
     /** DJI's consumer drones climb to 500 m above the point of take-off; assumed for other airframes. */
     private static final double CEILING = 500.0;
 
-    /** Least speed of a drone that cannot hover over its cruise speed: PX4's FW_AIRSPD_MIN and FW_AIRSPD_TRIM. */
+    /**
+     * The least speed of a drone that cannot hover, as a fraction of its cruise speed: PX4's FW_AIRSPD_MIN and
+     * FW_AIRSPD_TRIM.
+     */
     private static final double LEAST_SPEED = 10.0 / 15.0;
 
     private static final double HALF_AN_HOUR = 1800.0;

@@ -19,7 +19,7 @@ final class FollowedContact {
     /** Standard errors to either side within which a range lies. */
     private static final double DEVIATIONS = 2.0;
 
-    /** Crossings that follow each other faster than this, s, would make velocities of their errors. */
+    /** Crossings that follow each other faster than this, s, would turn their errors into velocities. */
     private static final double SPACING = 0.2;
 
     private final int contact;

@@ -8,7 +8,7 @@ package org.dronewatch.positioner;
  * @param height of the vertical field
  */
 public record ImageShape(double width, double height) {
-    /** As wide as high. */
+    /** As wide as it is high. */
     static final ImageShape SQUARE = new ImageShape(1.0, 1.0);
 
     /** The horizontal field of view, rad, when the one that the settings state is zoomed to an angle. */

@@ -21,12 +21,10 @@ public final class Positioner {
     /** Standard errors of a direction to either side that a field of view has to hold. */
     private static final double DEVIATIONS = 2.0;
 
-    /**
-     * It has turned to a direction when it points this near to it, rad, and zoomed to a field when that is this much
-     * wider.
-     */
+    /** It has turned to a direction when it points this near to it, rad. */
     private static final double TURNED = 1e-9;
 
+    /** It has zoomed to a field of view when its own is at most this many times as wide. */
     private static final double ZOOMED = 1.05;
 
     private record Cue(double due, int contact, Sighting sighting, double time) {}

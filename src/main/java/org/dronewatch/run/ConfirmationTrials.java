@@ -36,7 +36,7 @@ final class ConfirmationTrials {
         }
     }
 
-    /** The usual confirmations and the scene's own, from the quickest on. */
+    /** The usual confirmations and the scene's own, the quickest first. */
     private static Set<Confirmation> of(SceneSettings settings) {
         Set<Confirmation> all = new TreeSet<>(Comparator.comparingInt(Confirmation::hits)
                 .thenComparing(Confirmation::looks, Comparator.reverseOrder()));

@@ -34,7 +34,7 @@ final class FeatureFiles implements Function<Optional<String>, Features> {
      * @param file its name, relative to the directory of the scene file; if empty, the map that has the scene file's
      *     name
      * @throws IllegalArgumentException when there is none with the scene file's name
-     * @throws org.dronewatch.setting.InputException when it cannot be read, or is wrong
+     * @throws org.dronewatch.setting.InputException when it cannot be read, or is invalid
      */
     @Override
     public Features apply(Optional<String> file) {

@@ -73,7 +73,7 @@ final class ScenePlaces {
     }
 
     /**
-     * The models that were loaded for places, for the first who asks, and only if there are any.
+     * The models that were loaded for places, if any; only the first caller gets them.
      *
      * @param receiver of the lines about them, and of all that follow
      */

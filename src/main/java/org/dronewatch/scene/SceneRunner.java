@@ -257,7 +257,7 @@ public final class SceneRunner {
      *
      * @return all models loaded so far; for any number of threads
      * @throws CancellationException when the thread is interrupted; its interrupt status is kept
-     * @throws InputException when a model is wrong
+     * @throws InputException when a model is invalid
      */
     public ModelCache load(SceneSettings settings) {
         return Interrupts.surfacing(() -> {
@@ -286,7 +286,7 @@ public final class SceneRunner {
      *
      * @param settings one of {@link #settingsOfRuns()}
      * @throws CancellationException when the thread is interrupted; its interrupt status is kept
-     * @throws InputException when a model is wrong
+     * @throws InputException when a model is invalid
      */
     public Stage stage(SceneSettings settings) {
         return Interrupts.surfacing(() -> {
@@ -300,7 +300,7 @@ public final class SceneRunner {
      *
      * @param settings one of {@link #settingsOfRuns()}
      * @throws CancellationException when the thread is interrupted; its interrupt status is kept
-     * @throws InputException when a file is wrong
+     * @throws InputException when a file is invalid
      */
     public World world(SceneSettings settings) {
         return Interrupts.surfacing(() -> {
@@ -350,7 +350,7 @@ public final class SceneRunner {
      *
      * @throws CancellationException when the thread is interrupted, before or during the run; its interrupt status is
      *     kept
-     * @throws InputException when an override or a model is wrong, or a drone is steered and there is no pilot
+     * @throws InputException when an override or a model is invalid, or a drone is steered and there is no pilot
      * @throws IllegalArgumentException when the scene has no run with the index given to {@link #only}
      * @throws IllegalStateException when the scene was created for another simulator
      */

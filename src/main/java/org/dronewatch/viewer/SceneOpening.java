@@ -92,7 +92,7 @@ final class SceneOpening implements AutoCloseable {
         open(scene.factory().get());
     }
 
-    /** Opens a scene that is no file. */
+    /** Opens a scene that is not a file. */
     void open(Scene scene) {
         reading.ask(outdated -> chosen.accept(subject(scene, Optional.empty())));
     }

@@ -107,11 +107,12 @@ public final class DetectionField {
     }
 
     /**
-     * Whether the same sensors cover one cell in each column, at its own height. Nothing else is certain of the field.
+     * A field of the same sensors with one cell in each column, at its own height. Only whether they cover the cell can
+     * be relied on, nothing else in this field.
      *
      * @param above heights above the ground by row and column, m; NaN for no cell
      * @param needed the step that the probability of a sensor has to reach
-     * @param name what is kept of it is found again under this name
+     * @param name the name under which stored assessments are found again
      */
     DetectionField decidingAt(double[] above, int needed, String name, IntConsumer progress) {
         FieldColumns other = FieldColumns.at(all.probe(0).world(), grid, above);

@@ -162,11 +162,11 @@ public final class FieldCoverage {
     }
 
     /**
-     * One cell in each column, at its own height. Of this coverage, only what is covered and what is unknown is
-     * certain.
+     * One cell in each column, at its own height. Only what is covered and what is unknown can be relied on, nothing
+     * else in this coverage.
      *
      * @param above heights above the ground by row and column, m; NaN for no cell
-     * @param name what is kept of it is found again under this name
+     * @param name the name under which stored assessments are found again
      */
     FieldCoverage at(double[] above, String name, IntConsumer progress) {
         return of(field.decidingAt(above, needed, name, progress));

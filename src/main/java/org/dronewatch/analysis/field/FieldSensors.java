@@ -69,7 +69,7 @@ final class FieldSensors {
      * The same sensors, assessed in other columns that have a single level.
      *
      * @param plan where the columns are
-     * @param name what is kept of it is found again under this name
+     * @param name the name under which stored assessments are found again
      */
     FieldSensors in(FieldColumns columns, LayerStore store, String plan, String name, IntConsumer progress) {
         List<SensorLayer> there =
@@ -79,7 +79,7 @@ final class FieldSensors {
         return moved;
     }
 
-    /** The same sensors if nothing matters but whether they reach a step: assessments to come are of that alone. */
+    /** The same sensors if nothing matters but whether they reach a step: from now on, only that is assessed. */
     FieldSensors deciding(int needed) {
         Map<String, FieldProbe> others = new LinkedHashMap<>();
         probes.forEach((id, probe) -> others.put(id, probe.deciding(needed)));

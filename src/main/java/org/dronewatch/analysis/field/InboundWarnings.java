@@ -201,8 +201,8 @@ public record InboundWarnings(
     /**
      * Where a drone is first detected.
      *
-     * @param range horizontal distance from the target, m; empty if nowhere before its last chance
-     * @param isFromStart whether it is nowhere known to be missed before
+     * @param range horizontal distance from the target, m; empty if it is not detected before its last chance
+     * @param isFromStart whether no earlier point of the flight is known to be a miss
      */
     private record First(OptionalDouble range, boolean isFromStart) {
         static First of(

@@ -49,7 +49,7 @@ final class CourseCodes {
     /**
      * Writes codes to a position in an array of bytes that are 0.
      *
-     * @return the position behind them
+     * @return the position after them
      */
     static int put(byte[] pool, int at, int[] codes) {
         int[] list = new int[codes.length];

@@ -10,9 +10,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Signal;
 
 /**
- * The amount by which the signal of one sensor exceeds that in the open, and what the sensor receives along other than
- * exact paths, at any position: interpolated between the nearest traced ones, separately in sight of the sensor, out of
- * sight, and where nothing arrives along exact paths. Immutable.
+ * The amount by which the signal of one sensor exceeds that in the open, and what the sensor receives along paths other
+ * than the exact ones, at any position: interpolated between the nearest traced ones, separately in sight of the
+ * sensor, out of sight, and where nothing arrives along exact paths. Immutable.
  */
 public final class ExcessMap {
     private static final int NEIGHBOURS = 20;
@@ -41,7 +41,7 @@ public final class ExcessMap {
     /**
      * Values between the nearest traced positions.
      *
-     * @param rest what arrives along other than exact paths, dB
+     * @param rest what arrives along paths other than the exact ones, dB
      * @param leastRest the least of those of the neighbours, dB
      * @param greatestRest the greatest of them, dB
      * @param overOpen excess over the signal in the open, dB

@@ -248,8 +248,8 @@ public record FieldProbe(
     }
 
     /**
-     * The mean over all pointings. Its cause is that of the most favourable one; of a drone that it would detect, but
-     * that is out of view for most of the time, that it is out of view.
+     * The mean over all pointings. Its cause is that of the most favourable one or, for a drone that would be detected
+     * with that one but is out of view most of the time, {@link Cause#OUT_OF_VIEW}.
      */
     private CellLook look(CellPointings pointings, Function<Optional<Pointing>, Assessment> glance) {
         LookSeries series = new LookSeries(

@@ -17,7 +17,7 @@ import tools.jackson.databind.JsonNode;
  * without openings such as windows, which the third level adds.
  */
 final class CityJsonFile {
-    /** Levels of detail from here on have windows and rooms. */
+    /** Levels of detail from this one up have windows and rooms. */
     private static final double TOO_DETAILED = 3.0;
 
     private final String file;
@@ -37,7 +37,7 @@ final class CityJsonFile {
      *
      * @param file its name, for messages
      * @param hash of the file
-     * @throws InputException with a one-line message when something in it is wrong
+     * @throws InputException with a one-line message when something in it is invalid
      */
     static MapFeatures read(String file, JsonNode root, FileHash hash) {
         String version = root.path("version").asString("");

@@ -54,7 +54,7 @@ public final class CampaignSummary {
                 && variants.values().stream().anyMatch(one -> one.cases() > 0);
     }
 
-    /** All pairs of variants, by each outcome that makes sense for both. */
+    /** All pairs of variants, by each outcome that is known for both. */
     public List<VariantComparison> comparisons() {
         return comparisons.stream().filter(VariantComparison::isKnown).toList();
     }

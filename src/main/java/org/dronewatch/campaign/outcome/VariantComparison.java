@@ -58,7 +58,7 @@ public final class VariantComparison {
         return outcome;
     }
 
-    /** Whether there are cases in which the outcome makes sense for both variants. */
+    /** Whether there are cases in which the outcome is known for both variants. */
     public boolean isKnown() {
         return both > 0;
     }

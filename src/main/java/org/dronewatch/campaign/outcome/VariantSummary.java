@@ -95,7 +95,7 @@ public final class VariantSummary {
         return cutShort;
     }
 
-    /** Of the cases in which an outcome makes sense, the proportion that has it; empty if there are none. */
+    /** Of the cases in which an outcome is known, the proportion that has it; empty if there are none. */
     public Optional<Proportion> proportion(Outcome outcome) {
         return proportion(outcomes, outcome);
     }

@@ -39,7 +39,7 @@ final class CsvLog {
      * @param shown its name, for messages
      * @param heights which of several columns of heights counts
      * @param track must be empty: a log has one flight
-     * @throws InputException with a one-line message when columns are missing, or a row is wrong
+     * @throws InputException with a one-line message when columns are missing, or a row is invalid
      */
     static Fixes.Points read(String shown, byte[] bytes, Track.Heights heights, Optional<String> track) {
         String name = PlainText.value(shown);

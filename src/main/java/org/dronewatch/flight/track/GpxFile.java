@@ -45,7 +45,7 @@ final class GpxFile {
      *
      * @param shown its name, for messages
      * @param wanted name of the track, if it has several
-     * @throws InputException with a one-line message when it is not GPX, or the point in a line is wrong
+     * @throws InputException with a one-line message when it is not GPX, or the point in a line is invalid
      */
     static Fixes.Points read(String shown, byte[] bytes, Optional<String> wanted) {
         String name = PlainText.value(shown);

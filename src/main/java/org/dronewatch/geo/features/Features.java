@@ -67,7 +67,7 @@ public final class Features {
      * Reads a file, whose format is recognised by its beginning.
      *
      * @param shown its name in messages
-     * @throws InputException with a one-line message when it is neither GeoJSON nor KML, or a point in it is wrong
+     * @throws InputException with a one-line message when it is neither GeoJSON nor KML, or a point in it is invalid
      */
     public static Features read(String shown, byte[] bytes) {
         String file = PlainText.value(shown);

@@ -56,7 +56,7 @@ public final class MeshReaders {
     /**
      * The readers of this program's class path; the search runs once.
      *
-     * @throws InputException when one cannot be loaded or is wrong, or two read the same extension
+     * @throws InputException when one cannot be loaded or is invalid, or two read the same extension
      */
     public static synchronized MeshReaders found() {
         if (found == null) {

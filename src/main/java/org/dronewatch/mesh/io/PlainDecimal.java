@@ -5,7 +5,7 @@ package org.dronewatch.mesh.io;
  * methods do but without an object for each.
  */
 final class PlainDecimal {
-    /** So many digits are an integer that a double holds exactly. */
+    /** An integer of this many digits is one that a double holds exactly. */
     static final int MOST_DIGITS = 15;
 
     /** The powers of ten by which an integer is divided: a double holds each of them exactly. */

@@ -40,7 +40,7 @@ final class FlightFiles {
      * The flights that a run recorded.
      *
      * @param file its name in the settings
-     * @throws InputException when it cannot be read, or is wrong
+     * @throws InputException when it cannot be read, or is invalid
      */
     FlightsFile recorded(String file) {
         FlightsFile known = recorded.get(file);
@@ -56,7 +56,7 @@ final class FlightFiles {
     /**
      * A flight from a file of another program.
      *
-     * @throws InputException when it cannot be read, or is wrong
+     * @throws InputException when it cannot be read, or is invalid
      */
     FlightSource of(FlightFromFile settings) {
         FlightSource known = sources.get(settings);

@@ -41,7 +41,7 @@ public final class FlightPaths {
     /**
      * The path of a drone.
      *
-     * @throws InputException when it follows the ground and there is none, or was recorded in a file that is wrong
+     * @throws InputException when it follows the ground and there is none, or was recorded in an invalid file
      */
     public FlightPath of(String id, DroneSettings drone) {
         try {

@@ -19,7 +19,7 @@ public record Tape(End from, End to) {
      * @param eye from which the line of sight is traced, m: off the surface on which the place lies
      */
     public record End(String name, Position place, Position eye) {
-        /** The name of an end that is no sensor or drone. */
+        /** The name of an end that is neither a sensor nor a drone. */
         public static final String POINT = "a point";
 
         /** How far the eye of a point on a surface is in front of it, m: negligible when measuring. */
