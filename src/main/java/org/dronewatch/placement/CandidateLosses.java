@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What remains at work of a layout after the loss of one of its candidates: all others, except those that need one of
- * some others ({@link PlacementConditions#needsOneOf}) and have lost the last of them, such as a camera on a positioner
- * without the only sensor that cued it. Immutable; thread-safe.
+ * The part of a layout that still works after the loss of one of its candidates: all others, except those that need at
+ * least one of certain candidates ({@link PlacementConditions#needsOneOf}) and have lost the last of these, such as a
+ * camera on a positioner without the only sensor that cued it. Immutable; thread-safe.
  */
 public final class CandidateLosses {
     private final List<String> names;
@@ -27,7 +27,7 @@ public final class CandidateLosses {
         this.needs = conditions.needsOneOf();
     }
 
-    /** Those of the chosen candidates that remain at work without one of them, by their numbers, in the same order. */
+    /** The chosen candidates that still work without one of them, by their numbers, in the same order. */
     public List<Integer> remaining(List<Integer> chosen, Integer lost) {
         List<Integer> remaining = new ArrayList<>(chosen);
         remaining.remove(lost);
@@ -41,7 +41,7 @@ public final class CandidateLosses {
         return remaining;
     }
 
-    /** The names of those of the chosen candidates that stop working without one of them, besides that one. */
+    /** The names of the other chosen candidates that stop working without one of them. */
     public List<String> idle(List<Integer> chosen, Integer lost) {
         List<Integer> remaining = remaining(chosen, lost);
         return chosen.stream()
@@ -50,7 +50,7 @@ public final class CandidateLosses {
                 .toList();
     }
 
-    /** The names of the chosen candidates that need one of some others, of which none is chosen. */
+    /** The names of the chosen candidates that need at least one of certain others, none of which is chosen. */
     private Set<String> unserved(List<Integer> chosen) {
         Set<String> has = new HashSet<>();
         chosen.forEach(one -> has.add(names.get(one)));

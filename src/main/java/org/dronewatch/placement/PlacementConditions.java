@@ -14,9 +14,9 @@ import java.util.TreeMap;
  * @param fold how many chosen candidates must attain a value, or a better one, for it to count in a row, 1 or more
  * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate; see
  *     {@link CandidateLosses}
- * @param needsOneOf by candidate that is chosen only together with at least one of some others, as a camera on a
- *     positioner needs a sensor that cues it: the names of these; none of them means that it is never chosen. Fixed
- *     candidates are chosen even without
+ * @param needsOneOf for each candidate, by name, that may be chosen only together with at least one of certain others,
+ *     as a camera on a positioner needs a sensor that cues it: the names of those others; without any, it is never
+ *     chosen. Fixed candidates are chosen even if none of the others is
  */
 public record PlacementConditions(
         double budget,

@@ -143,7 +143,7 @@ public final class PlacementProblem {
         });
     }
 
-    /** The names of the chosen candidates, not fixed, that need one of some others, of which none is chosen. */
+    /** The chosen candidates, except fixed ones, that need at least one of certain others, none of which is chosen. */
     public List<String> lacking(List<Integer> chosen) {
         List<String> names = chosen.stream()
                 .map(candidate -> table.candidates().get(candidate).name())
@@ -157,7 +157,7 @@ public final class PlacementProblem {
                 .toList();
     }
 
-    /** What remains at work of a layout after a loss. */
+    /** Which part of a layout still works after a loss. */
     public CandidateLosses losses() {
         return losses;
     }

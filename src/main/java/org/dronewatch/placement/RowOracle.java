@@ -14,7 +14,7 @@ public interface RowOracle {
      */
     List<double[]> weakest(List<Integer> chosen);
 
-    /** All rows that are known by now, also those that were found otherwise than by {@link #weakest}; may be empty. */
+    /** All rows known so far, including those that {@link #weakest} did not find; may be empty. */
     default List<double[]> known() {
         return List.of();
     }

@@ -6,7 +6,7 @@ import java.util.function.LongSupplier;
 
 /**
  * When searches that share it end before they are complete: once they have taken some time together, or the user asks
- * for the end. A search that has no layout by then may go on for a few seconds more. Thread-safe.
+ * them to stop. A search that has no layout by then may go on for a few seconds more. Thread-safe.
  */
 public final class SearchEnd {
     /** How long a search without any layout may go on, s. */
@@ -60,7 +60,7 @@ public final class SearchEnd {
         begun.compareAndSet(null, clock.getAsLong());
     }
 
-    /** Whether the user has asked for the end. */
+    /** Whether the user has asked the searches to stop. */
     public boolean isStopped() {
         return isStopped.getAsBoolean();
     }

@@ -25,11 +25,11 @@ public record SolverLimits(double gap, SearchEnd end) {
     }
 
     /**
-     * Limits whose time runs from the first search on that begins with them, or with other gaps derived from them.
+     * Limits whose time starts with the first search that uses them, or uses copies of them with another gap.
      *
      * @param gap as above
      * @param seconds time that all these searches may take together, s, above 0; infinite for no limit
-     * @param isStopped queried repeatedly, from any thread; whether the user has asked for the end
+     * @param isStopped queried repeatedly, from any thread; whether the user has asked the searches to stop
      */
     public SolverLimits(double gap, double seconds, BooleanSupplier isStopped) {
         this(gap, new SearchEnd(seconds, isStopped));

@@ -8,10 +8,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.site.PlacedSite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** A layout in which two sensors must cover a cell. */
 class PlaceFoldTest {
@@ -42,5 +47,38 @@ class PlaceFoldTest {
         assertThat(page)
                 .contains("The table states the coverage by one sensor or more on the heading")
                 .contains("; the layout was chosen for what 2 sensors or more cover.");
+    }
+
+    /** Keeping exactly what the scene has is worth what the scene's own sensors are worth, on the same terms. */
+    @ParameterizedTest
+    @CsvSource({"1, worst", "1, mean", "2, worst", "2, mean"})
+    void warningsOfTheSameSensorsAreTheSame(int fold, String measure) throws IOException {
+        Path file = PlacedSite.in(
+                directory,
+                "budget: 0\nkeep: [round, radio]\nobjective: warning-time\nwarning: " + measure
+                        + "\nconditions: {fold: " + fold + "}\n");
+        FieldSite.in(
+                directory,
+                FieldSite.ROUND + "  radio: {kind: rf, position: [0, 5, 4], threshold: 12}\n"
+                        + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
+        Outcome outcome = Program.run("place", file.toString(), "--quiet", "--out=" + directory);
+        JsonNode json = JsonMapper.builder()
+                .build()
+                .readTree(directory.resolve("place.json").toFile());
+
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(json.at("/chosen")).hasSize(2);
+        assertThat(json.at("/present/value")).isEqualTo(json.get("value"));
+        assertThat(outcome.out()).doesNotContain("better than this layout");
+        if (measure.equals("mean")) {
+            assertThat(json.get("value").asDouble()).isPositive();
+            assertThat(json.at("/chosen/0/alone").asDouble()).isPositive();
+        }
+        assertThat(json.get("detected").asInt())
+                .isBetween(1, json.get("flights").asInt());
+        assertThat(outcome.out().contains(" before they arrive with 2 sensors or more"))
+                .isEqualTo(fold == 2);
+        assertThat(outcome.out().contains("the layout was chosen for warnings that begin only when 2 sensors"))
+                .isEqualTo(fold == 2);
     }
 }

@@ -91,6 +91,20 @@ class PlaceZonesTest {
         assertThat(place("", "budget: 6\n").out()).doesNotContain("weighted");
     }
 
+    /** The sum of weights that are no whole numbers is rounded; all of it is still all. */
+    @Test
+    void allOfTheAirspaceIsAHundredPercent() throws IOException {
+        Path file = file("weights: {depot: 0.7, gate: 3.1, protected: 11.3}, ", "budget: 3\n");
+        // Receivers that miss nothing.
+        Files.writeString(file, Files.readString(file).replace("threshold: 12", "threshold: -50"));
+        Outcome outcome = Program.run("place", file.toString(), "--budgets=1", "--quiet");
+
+        assertThat(outcome.out())
+                .as(outcome.err())
+                .contains("The layout covers 100.0 % of the weighted airspace")
+                .doesNotContain("> 99.9 %");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -98,6 +112,8 @@ class PlaceZonesTest {
             value = {
                 "weights: {depo: 2} | budget: 3 | air.weights depo: no such zone; the scene protects depot, gate,"
                         + " protected; did you mean 'depot'?",
+                "weights: {protected: 2}, area: depot | budget: 3 | air.weights protected: no cell of the airspace has"
+                        + " its centre in this zone",
                 "weights: {depot: -1} | budget: 3 | air.weights: depot -1: must be 0 to 1000",
                 "weights: {depot: 1001} | budget: 3 | air.weights: depot 1001: must be 0 to 1000",
                 "weights: {depot: much} | budget: 3 | depot",

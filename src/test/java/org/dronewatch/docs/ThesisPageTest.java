@@ -228,7 +228,9 @@ class ThesisPageTest {
 
     @Test
     void theFiguresOfDividedEnergyAreThoseOfARun() throws IOException {
-        assertThat(differs("reflected sound split into specular and scattered parts (the thesis: \"ratio of diffraction\")"))
+        assertThat(
+                        differs(
+                                "reflected sound split into specular and scattered parts (the thesis: \"ratio of diffraction\")"))
                 .contains(String.format(
                         Locale.ROOT,
                         "is %.3f instead of %.3f",

@@ -76,7 +76,7 @@ public final class FieldSample {
     }
 
     /**
-     * The same places, undetected where they are in either sample.
+     * The same places; the drone counts as undetected at a place where either sample says so.
      *
      * @param other of a field of the same site and grid, such as for the same drone with its motors off
      * @throws IllegalArgumentException if the grids differ

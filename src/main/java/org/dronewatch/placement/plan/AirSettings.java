@@ -23,8 +23,8 @@ import org.dronewatch.setting.input.LinkOut;
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
  * @param weights by the name of a protected zone: how much each cell counts whose centre is in that zone, 0 to 1000.
- *     All other cells have a weight of 1, and in several of these zones the greatest weight counts. Only for the
- *     objective {@code coverage}
+ *     All other cells have a weight of 1, and a cell that lies in several of these zones has the greatest of their
+ *     weights. Only for the objective {@code coverage}
  * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by
  *     default. For {@code weakest-route}, the square is around the protected zone and, by default, as large as that of
  *     {@code route}

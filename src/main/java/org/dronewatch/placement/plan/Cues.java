@@ -31,7 +31,7 @@ public final class Cues {
         this.isCued = plan.pointing() == FieldTerms.Turning.CUED;
     }
 
-    /** By the name of each candidate on a positioner: those of which a layout needs one for it. */
+    /** For each candidate on a positioner, by name: the candidates of which a layout with it must have at least one. */
     public Map<String, Set<String>> needed() {
         return cueing();
     }

@@ -60,9 +60,9 @@ public record PlacePlan(
     }
 
     /**
-     * Whether sensors on positioners have turned to the drone or search for it: unless the plan says otherwise, they
-     * search for drones on the weakest route, since nothing has cued them before the first detection, as {@code route}
-     * assumes, and have turned elsewhere.
+     * Whether sensors on positioners have turned to the drone or search for it. Unless the plan says otherwise, they
+     * search if the objective is {@code weakest-route}, since nothing has cued them before the first detection, as
+     * {@code route} assumes; for the other objectives, they have turned to the drone.
      */
     public FieldTerms.Turning pointing() {
         return settings.air()

@@ -12,7 +12,7 @@ import org.dronewatch.setting.Quantity;
 public final class PlanConditions {
     private PlanConditions() {}
 
-    /** The conditions, without that on what remains after a loss. */
+    /** The conditions, except the one on what must remain after a loss. */
     public static PlacementConditions of(PlacePlan plan) {
         LayoutConditions asked = plan.settings().conditions();
         Map<String, KindLimits> kinds = new HashMap<>();

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.Candidate;
@@ -135,6 +136,6 @@ final class RouteFigures {
     private List<PlaceStep> purchases(RoutePlacement brief) {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), rows::value, rows::most, rows::mean)
-                .steps(brief, 1.0);
+                .steps(brief, DoubleUnaryOperator.identity());
     }
 }

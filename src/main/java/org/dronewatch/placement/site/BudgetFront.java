@@ -9,9 +9,9 @@ import org.dronewatch.placement.SolverLimits;
  *
  * @param <L> a layout for some objective
  * @param points the layouts in ascending order of cost, at least one; the last is the one for the whole budget
- * @param tried the budgets that were tried, also those without a better layout
- * @param complete whether each search ran to completion, and no time limit has left out anything else
- * @param stopped what the time limit has stopped; empty if that is nothing, or a search was interrupted
+ * @param tried the budgets that were tried, including those without a better layout
+ * @param complete whether each search ran to completion, and nothing else was cut short by a time limit
+ * @param stopped what the time limit has stopped; empty if it stopped nothing, or a search was interrupted
  */
 public record BudgetFront<L extends PlacedLayout>(
         List<FrontPoint<L>> points, TriedBudgets tried, boolean complete, Optional<TimeStop> stopped) {
@@ -26,7 +26,7 @@ public record BudgetFront<L extends PlacedLayout>(
     }
 
     /**
-     * The same when the time limit has left out something else, at least in part.
+     * The same when the time limit has cut something else short.
      *
      * @param limits of the searches
      */
@@ -35,7 +35,7 @@ public record BudgetFront<L extends PlacedLayout>(
         return new BudgetFront<>(points, tried, false, Optional.of(stop.with(part)));
     }
 
-    /** Whether the time limit has left out something, at least in part. */
+    /** Whether the time limit has cut something short, or prevented it. */
     public boolean isWithout(LeftOut part) {
         return stopped.filter(stop -> stop.leftOut().contains(part)).isPresent();
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedList;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 
@@ -47,9 +48,9 @@ public final class BuyingOrder {
     /**
      * The purchases for a layout, in this order.
      *
-     * @param unit the value of a step is stated in multiples of this
+     * @param unit converts the value of a step to the unit of the objective
      */
-    public List<PlaceStep> steps(PlacedLayout layout, double unit) {
+    public List<PlaceStep> steps(PlacedLayout layout, DoubleUnaryOperator unit) {
         List<Integer> bought = new ArrayList<>(FrontSearch.kept(layout));
         List<PlaceStep> steps = new ArrayList<>();
         for (Integer next : order(layout.buyingRule(), bought, layout.result().chosen())) {
@@ -57,7 +58,7 @@ public final class BuyingOrder {
             steps.add(new PlaceStep(
                     layout.plan().candidates().get(next).name(),
                     bought.stream().mapToDouble(price::applyAsDouble).sum(),
-                    value.applyAsDouble(bought) / unit));
+                    unit.applyAsDouble(value.applyAsDouble(bought))));
         }
         return steps;
     }

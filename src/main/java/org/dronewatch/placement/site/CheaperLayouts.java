@@ -28,8 +28,8 @@ public interface CheaperLayouts<L extends PlacedLayout> {
     Optional<SectorGain> gain(Optional<L> before, L after);
 
     /**
-     * Whether a layout is better than some value by more than the search can tell apart: equal values are not, nor are
-     * estimates that differ by less than the gap to which they were sought.
+     * Whether a layout is better than some value by more than the search can resolve: not if the values are equal, nor
+     * if they are estimates that differ by less than the gap to which they were sought.
      */
     default boolean isBetter(L layout, double value, SolverLimits limits) {
         return layout.value() > value;

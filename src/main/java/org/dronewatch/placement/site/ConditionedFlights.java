@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.IntConsumer;
-import java.util.stream.DoubleStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.field.Warning;
@@ -79,19 +78,6 @@ final class ConditionedFlights {
     /** The longest warning that can be found in any of the scenes, s. */
     static double longest(List<InboundWarnings> warnings) {
         return warnings.stream().mapToDouble(InboundWarnings::longest).max().orElse(0.0);
-    }
-
-    /** The worst or the mean warning under the condition that is worst, s. */
-    static double seconds(List<InboundWarnings> warnings, boolean isWorst) {
-        return warnings.stream()
-                .mapToDouble(scene -> seconds(scene, isWorst))
-                .min()
-                .orElse(0.0);
-    }
-
-    private static double seconds(InboundWarnings scene, boolean isWorst) {
-        DoubleStream times = scene.all().stream().mapToDouble(one -> one.time().orElse(0.0));
-        return (isWorst ? times.min() : times.average()).orElse(0.0);
     }
 
     /**

@@ -24,6 +24,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 
 /**
  * The airspace that each sensor covers: a row for each cell and each of eight headings, or for each cell and the
@@ -80,6 +81,13 @@ public final class CoveredCells {
     }
 
     private void checkWeights() {
+        for (int zone = 0; zone < zones.count(); zone++) {
+            int its = zone;
+            if (grid.count((column, row) -> !grid.isOutside(column, row) && zones.isIn(its, column, row)) == 0) {
+                throw new InputException("air.weights " + PlainText.value(zones.name(zone))
+                        + ": no cell of the airspace has its centre in this zone");
+            }
+        }
         if (grid.count((column, row) -> !grid.isOutside(column, row) && zones.of(column, row) > 0.0) == 0) {
             throw weightless("all cells");
         }

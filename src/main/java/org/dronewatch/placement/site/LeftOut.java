@@ -1,6 +1,6 @@
 package org.dronewatch.placement.site;
 
-/** What a time limit may leave out, at least in part, besides a search for layouts. */
+/** What a time limit may cut short or prevent, besides a search for layouts. */
 public enum LeftOut {
     /** What the layout and the scene's own sensors cover at each height. */
     COVERAGE,

@@ -137,7 +137,7 @@ public final class PlaceSearch {
     /** The value of the scene's own sensors, on the same terms. */
     private PresentLayout present(List<CandidateColumn> columns) {
         PlacementProblem same = presentProblem(columns);
-        return new PresentLayout(columns.size(), same.value(all(same)) / cells.size());
+        return new PresentLayout(columns.size(), SitePlacement.fraction(same.value(all(same)), cells.size()));
     }
 
     private PlacementProblem presentProblem(List<CandidateColumn> columns) {

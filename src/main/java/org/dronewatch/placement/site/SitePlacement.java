@@ -41,6 +41,8 @@ public record SitePlacement(
         Optional<PresentLayout> present,
         boolean complete)
         implements PlacedLayout {
+    private static final double ROUNDING = 1e-9;
+
     /** The same with another layout. */
     SitePlacement with(PlacementResult other) {
         return new SitePlacement(
@@ -65,6 +67,20 @@ public record SitePlacement(
                 .toList();
     }
 
+    /**
+     * The fraction of all rows that some rows make up by their weights, exactly 1 for all of them.
+     *
+     * @param weight sum of the weights of these rows
+     * @param rows sum of the weights of all rows
+     */
+    static double fraction(double weight, int rows) {
+        return Math.abs(weight - rows) <= ROUNDING * rows ? 1.0 : weight / rows;
+    }
+
+    private double fraction(double weight) {
+        return fraction(weight, rows);
+    }
+
     /** The number of cells that count. */
     public int cells() {
         return rows / headings;
@@ -72,7 +88,7 @@ public record SitePlacement(
 
     /** The fraction of the airspace that a layout covers in the scene as it is, and under each condition. */
     private double[] byCondition(List<Integer> layout) {
-        return DoubleStream.of(problem.sums(layout)).map(sum -> sum / rows).toArray();
+        return DoubleStream.of(problem.sums(layout)).map(this::fraction).toArray();
     }
 
     @Override
@@ -93,20 +109,20 @@ public record SitePlacement(
     /** The fraction of the airspace that the layout covers. */
     @Override
     public double value() {
-        return result.value() / rows;
+        return fraction(result.value());
     }
 
     /** The fraction that no layout exceeds. */
     @Override
     public double bound() {
-        return result.bound() / rows;
+        return fraction(result.bound());
     }
 
     /** The fraction of the airspace that a chosen sensor covers by itself. */
     @Override
     public OptionalDouble alone(SiteCandidate sensor) {
         PlacementProblem once = new PlacementProblem(problem.table(), problem.objective(), PlacementConditions.NONE);
-        return OptionalDouble.of(once.value(List.of(plan.candidates().indexOf(sensor))) / rows);
+        return OptionalDouble.of(fraction(once.value(List.of(plan.candidates().indexOf(sensor)))));
     }
 
     /** The fraction that remains covered without each of the sensors, by their names, in the order of the file. */
@@ -115,7 +131,7 @@ public record SitePlacement(
         Map<String, Double> remaining = new LinkedHashMap<>();
         for (Integer lost : result.chosen()) {
             List<Integer> rest = problem.losses().remaining(result.chosen(), lost);
-            remaining.put(plan.candidates().get(lost).name(), problem.value(rest) / rows);
+            remaining.put(plan.candidates().get(lost).name(), fraction(problem.value(rest)));
         }
         return remaining;
     }
@@ -123,18 +139,18 @@ public record SitePlacement(
     @Override
     public OptionalDouble together(List<SiteCandidate> sensors) {
         List<Integer> numbers = sensors.stream().map(plan.candidates()::indexOf).toList();
-        return OptionalDouble.of(problem.value(numbers) / rows);
+        return OptionalDouble.of(fraction(problem.value(numbers)));
     }
 
     @Override
     public Optional<EarlyPurchases> early() {
-        return EarlyPurchases.of(this, problem, value -> value / rows);
+        return EarlyPurchases.of(this, problem, this::fraction);
     }
 
     @Override
     public List<PlaceStep> purchases() {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), problem::value, some -> 0.0)
-                .steps(this, rows);
+                .steps(this, this::fraction);
     }
 }

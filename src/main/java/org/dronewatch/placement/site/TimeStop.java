@@ -18,7 +18,7 @@ public record TimeStop(double seconds, double gap, boolean gapReached, boolean c
         leftOut = List.copyOf(leftOut);
     }
 
-    /** The stop of a search only. */
+    /** A stop that affected nothing but the search. */
     public TimeStop(double seconds, double gap, boolean gapReached, boolean cheaper) {
         this(seconds, gap, gapReached, cheaper, List.of());
     }

@@ -7,11 +7,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
+import org.dronewatch.placement.PlacementConditions;
 import org.dronewatch.placement.PlacementObjective;
 import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
@@ -130,26 +132,29 @@ public record WarningPlacement(
     }
 
     /**
-     * The number of flights for which the layout gives some warning before the drone arrives, under every condition.
+     * The number of flights for which the layout gives some warning before the drone arrives, under every condition:
+     * enough of its sensors detect the drone.
      */
     public long detected() {
-        boolean[] isDetected = new boolean[problem.table().rows()];
+        int[] counts = new int[problem.table().rows()];
         for (int one : result.chosen()) {
             CandidateColumn column = problem.table().column(one);
             for (int at = 0; at < column.size(); at++) {
-                isDetected[column.row(at)] = true;
+                counts[column.row(at)]++;
             }
         }
+        int fold = problem.conditions().fold();
         return IntStream.range(0, flights())
-                .filter(flight -> IntStream.iterate(flight, row -> row < isDetected.length, row -> row + flights())
-                        .allMatch(row -> isDetected[row]))
+                .filter(flight -> IntStream.iterate(flight, row -> row < counts.length, row -> row + flights())
+                        .allMatch(row -> counts[row] >= fold))
                 .count();
     }
 
     /** The warning that a sensor of the layout gives by itself, s. */
     @Override
     public OptionalDouble alone(SiteCandidate sensor) {
-        return OptionalDouble.of(warning(List.of(plan.candidates().indexOf(sensor))));
+        PlacementProblem once = new PlacementProblem(problem.table(), problem.objective(), PlacementConditions.NONE);
+        return OptionalDouble.of(seconds(once.value(List.of(plan.candidates().indexOf(sensor)))));
     }
 
     /** The warning that remains without each of the sensors, by their names, in the order of the file, s. */
@@ -179,7 +184,7 @@ public record WarningPlacement(
     public List<PlaceStep> purchases() {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), this::warning, otherwise())
-                .steps(this, 1.0);
+                .steps(this, DoubleUnaryOperator.identity());
     }
 
     private ToDoubleFunction<List<Integer>> otherwise() {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.Candidate;
@@ -68,11 +69,13 @@ public final class WarningSearch {
         List<List<InboundWarnings>> warnings = new ArrayList<>();
         boolean isWhole = assess(warnings, progress);
         Map<String, SensorSettings<?>> own = plan.present().enabledSensors();
-        Optional<List<InboundWarnings>> present =
-                isWhole && !own.isEmpty() ? together(own, progress) : Optional.empty();
+        Optional<List<List<InboundWarnings>>> present =
+                isWhole && !own.isEmpty() ? each(own, progress) : Optional.empty();
         assessed.run();
         double longest = ConditionedFlights.longest(warnings.get(0));
-        PlacementProblem problem = problem(warnings, longest);
+        List<Candidate> candidates =
+                plan.candidates().stream().map(SiteCandidate::candidate).toList();
+        PlacementProblem problem = problem(candidates, warnings, longest, conditions(longest));
         PlacementResult result = solver.solve(problem, limits)
                 .orElseThrow(() -> isWhole ? limits.none(this::impossible) : new CancellationException());
         double bound = isWhole ? result.bound() : isWorst ? 0.0 : longest;
@@ -84,7 +87,7 @@ public final class WarningSearch {
                 problem,
                 new PlacementResult(result.chosen(), result.value(), bound, result.cost(), isComplete),
                 warnings.size(),
-                present.map(all -> new PresentLayout(own.size(), ConditionedFlights.seconds(all, isWorst))),
+                present.map(all -> present(List.copyOf(own.keySet()), all, longest)),
                 isComplete);
     }
 
@@ -116,17 +119,32 @@ public final class WarningSearch {
         }
     }
 
-    private Optional<List<InboundWarnings>> together(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
+    private Optional<List<List<InboundWarnings>>> each(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
+        List<List<InboundWarnings>> warnings = new ArrayList<>();
         try {
-            return Optional.of(flights.of(sensors, progress));
+            sensors.forEach((name, sensor) -> warnings.add(flights.of(Map.of(name, sensor), progress)));
+            return Optional.of(warnings);
         } catch (CancellationException e) {
             return Optional.empty();
         }
     }
 
-    private PlacementProblem problem(List<List<InboundWarnings>> warnings, double longest) {
-        List<Candidate> candidates =
-                plan.candidates().stream().map(SiteCandidate::candidate).toList();
+    /** The value of the scene's own sensors, on the same terms. */
+    private PresentLayout present(List<String> names, List<List<InboundWarnings>> warnings, double longest) {
+        List<Candidate> own =
+                names.stream().map(name -> new Candidate(name, 0.0)).toList();
+        PlacementConditions conditions =
+                PlacementConditions.NONE.withFold(plan.settings().conditions().fold());
+        double value = problem(own, warnings, longest, conditions)
+                .value(IntStream.range(0, own.size()).boxed().toList());
+        return new PresentLayout(own.size(), isWorst ? longest - value : value);
+    }
+
+    private PlacementProblem problem(
+            List<Candidate> candidates,
+            List<List<InboundWarnings>> warnings,
+            double longest,
+            PlacementConditions conditions) {
         List<CandidateColumn> columns = new ArrayList<>();
         for (int candidate = 0; candidate < candidates.size(); candidate++) {
             columns.add(
@@ -143,7 +161,7 @@ public final class WarningSearch {
         CandidateTable table = new CandidateTable(candidates, columns, weights, undetected);
         boolean isGrouped = !isWorst && !plan.conditions().isEmpty();
         return new PlacementProblem(
-                isGrouped ? table.withGroups(flights.conditions()) : table, objective(), conditions(longest));
+                isGrouped ? table.withGroups(flights.conditions()) : table, objective(), conditions);
     }
 
     /** The worst condition counts; the worst of all flights is also that under the worst condition. */

@@ -121,7 +121,7 @@ final class Rules {
         return hasNeeds && remaining(chosen, lost).length < chosen.length - 1;
     }
 
-    /** What remains at work without one of some candidates: see {@link org.dronewatch.placement.CandidateLosses}. */
+    /** Which candidates still work without one of them: {@link org.dronewatch.placement.CandidateLosses}. */
     int[] remaining(int[] chosen, int lost) {
         int[] remaining =
                 Arrays.stream(chosen).filter(candidate -> candidate != lost).toArray();

@@ -38,6 +38,11 @@ public record FlownLayout(RouteInputs inputs, RouteResults results) {
         return "from the " + CompassPoint.of(route.bearing());
     }
 
+    /** A sentence of {@code route} whose advice names its options: here, these are settings of the airspace. */
+    static String asSettings(String sentence) {
+        return sentence.replaceAll("--(heights|side|cell)\\b", "air.$1");
+    }
+
     /**
      * Why the search misjudges a route, in a clause after a comma; an empty text if it does not.
      *
@@ -45,6 +50,7 @@ public record FlownLayout(RouteInputs inputs, RouteResults results) {
      */
     String because(SectorRoute route, String search) {
         return RouteTable.misjudgement(route, results, inputs)
+                .map(FlownLayout::asSettings)
                 .map(reason -> ", because " + search + " " + reason)
                 .orElse("");
     }

@@ -103,9 +103,9 @@ final class FlownTable {
     List<String> words() {
         List<String> words = new ArrayList<>();
         layout.ifPresent(flown -> RouteTable.summary(flown.results(), flown.inputs())
-                .forEach(line -> words.add(of("Past the layout", line))));
+                .forEach(line -> words.add(of("Past the layout", FlownLayout.asSettings(line)))));
         present.map(flown -> RouteTable.summary(flown.results(), flown.inputs()).get(0))
-                .ifPresent(line -> words.add(of("Past today's sensors", line)));
+                .ifPresent(line -> words.add(of("Past today's sensors", FlownLayout.asSettings(line))));
         weaker().ifPresent(words::add);
         return words;
     }

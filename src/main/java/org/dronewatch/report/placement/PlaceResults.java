@@ -20,11 +20,11 @@ public interface PlaceResults {
         return front().best();
     }
 
-    /** Whether an interruption has left out anything that was asked for. */
+    /** Whether anything that was asked for is missing because of an interruption. */
     boolean isInterrupted();
 
     /**
-     * The same when the time limit has left out something else, at least in part.
+     * The same when the time limit has cut something else short.
      *
      * @param limits of the search
      */

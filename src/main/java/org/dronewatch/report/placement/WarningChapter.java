@@ -78,7 +78,7 @@ final class WarningChapter {
     }
 
     private List<String> scope() {
-        return List.of(
+        List<String> scope = new ArrayList<>(List.of(
                 "The drone flies straight in from " + InboundWarnings.BEARINGS + " bearings, at heights of "
                         + best.grid().heights().stream()
                                 .map(height -> number(height))
@@ -86,6 +86,8 @@ final class WarningChapter {
                         + " m above the ground, and the sensors look for it every "
                         + number(best.grid().cell()) + " m: a sensor that sees it over a shorter distance may be"
                         + " missed.",
-                PlaceReport.flight(plan));
+                PlaceReport.flight(plan)));
+        new WarningSentences(best, results.measure()).difference().ifPresent(scope::add);
+        return scope;
     }
 }

@@ -69,6 +69,7 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
                 lines.add("layout:");
             });
             lines.addAll(WarningTable.lines(its.layout(), covered));
+            new WarningSentences(best(), measure()).difference().ifPresent(lines::add);
         });
         return lines;
     }

@@ -1,5 +1,6 @@
 package org.dronewatch.report.placement;
 
+import java.util.Optional;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.report.file.Numbers;
@@ -28,10 +29,24 @@ final class WarningSentences {
                 + " " + detected();
     }
 
+    /** That the tables count otherwise than the search that chose the layout, in a sentence; empty if they do not. */
+    Optional<String> difference() {
+        return fold() > 1
+                ? Optional.of("In the tables of warnings, a warning begins when the first sensor detects the drone; the"
+                        + " layout was chosen for warnings that begin only when " + fold()
+                        + " sensors have detected it.")
+                : Optional.empty();
+    }
+
+    private int fold() {
+        return best.plan().settings().conditions().fold();
+    }
+
     /** How many flights the layout detects at all, and the longest warning that can be found. */
     String detected() {
         return "The layout detects " + best.detected() + " of " + Counted.of(best.flights(), "flight")
-                + " before they arrive" + (best.byCondition().isEmpty() ? "" : ", under every condition")
+                + " before they arrive" + (fold() > 1 ? " with " + fold() + " sensors or more" : "")
+                + (best.byCondition().isEmpty() ? "" : ", under every condition")
                 + "; the warning of one that is detected where it begins is at most "
                 + measure.text(best.longest()) + ".";
     }

@@ -96,7 +96,7 @@ public final class ModelCache {
         memory = Optional.of(shared);
     }
 
-    /** A world with the memory of these models, if they have one. */
+    /** The world, with the cache that the runs share attached if there is one. */
     public synchronized World remembering(World world) {
         return memory.map(world::withMemory).orElse(world);
     }
