@@ -35,6 +35,10 @@ record SystemSwap(Catalog catalog, String id, String name) {
     /** The names in the scene of a system's parts: of the system with the most parts, all of which must be there. */
     private List<String> system(SceneSettings scene) {
         List<String> most = List.of();
+        if (scene.sensors().keySet().stream().noneMatch(sensor -> sensor.startsWith(id + "-"))) {
+            // As for nearly every setting that is overridden: no system needs to be read.
+            return most;
+        }
         for (String system : Catalog.systemNames()) {
             List<String> parts = Catalog.system(system).orElseThrow().sensors().keySet().stream()
                     .map(part -> id + "-" + part)

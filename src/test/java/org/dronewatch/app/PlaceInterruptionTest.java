@@ -26,6 +26,8 @@ import tools.jackson.databind.json.JsonMapper;
  */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "there a process can only be killed")
 class PlaceInterruptionTest {
+    private static final List<String> OPTIONS = List.of("-Xmx1g", "-XX:+UseSerialGC");
+
     @TempDir
     private Path directory;
 
@@ -39,7 +41,7 @@ class PlaceInterruptionTest {
         Outcome outcome;
         try (Child place = Program.start(
                 directory,
-                List.of("-Xmx1g", "-Ddronewatch.cache=" + directory.resolve("cache")),
+                List.of("-Xmx1g", "-XX:+UseSerialGC", "-Ddronewatch.cache=" + directory.resolve("cache")),
                 ("place radars.place.yaml --campaign attacks.campaign.yaml --threads 1 --progress --out .")
                         .split(" "))) {
             await(() -> hasLayers(2));
@@ -69,8 +71,7 @@ class PlaceInterruptionTest {
         Files.writeString(file, Files.readString(file).replace("side: 400 m, cell: 80 m", "side: 400 m, cell: 2 m"));
         String command = "place radars.place.yaml --threads 1 --no-cache --progress --out out";
         Outcome outcome;
-        try (Child place =
-                Program.startClass(SlowConsole.class, directory, List.of(), List.of("-Xmx1g"), command.split(" "))) {
+        try (Child place = Program.startClass(SlowConsole.class, directory, List.of(), OPTIONS, command.split(" "))) {
             await(() -> Files.readString(place.err()).contains("read "));
             place.process().destroy();
             outcome = place.await();
@@ -123,7 +124,7 @@ class PlaceInterruptionTest {
     private Outcome interruptedAttacks(long wait) throws Exception {
         String command = "place radars.place.yaml --campaign attacks.campaign.yaml --runs 500000 --budgets 1"
                 + " --threads 1 --progress --out .";
-        try (Child place = Program.start(directory, List.of("-Xmx1g"), command.split(" "))) {
+        try (Child place = Program.start(directory, OPTIONS, command.split(" "))) {
             await(() -> Files.readString(place.err()).contains("coverage of the layout: done"));
             Thread.sleep(wait);
             place.process().destroy();

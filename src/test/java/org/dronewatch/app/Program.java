@@ -47,7 +47,7 @@ public final class Program {
     /** Starts a run in real time that lasts for minutes, and writes into {@code results}. */
     public static Child startLongRun(Path directory) throws IOException {
         String command = "run camera-range --real-time 1 --observations --set sensors.camera.fov=1 --out results";
-        return start(directory, List.of("-Xmx1g"), command.split(" "));
+        return start(directory, List.of("-Xmx1g", "-XX:+UseSerialGC"), command.split(" "));
     }
 
     /** Starts a command in a process with more jars on its class path. */

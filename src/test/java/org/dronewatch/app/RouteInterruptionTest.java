@@ -53,7 +53,7 @@ class RouteInterruptionTest {
         Outcome outcome;
         try (Child route = Program.start(
                 directory,
-                List.of("-Xmx1g"),
+                List.of("-Xmx1g", "-XX:+UseSerialGC"),
                 ("route site.yaml --side 960m --cell 40m --threads 1 --progress --out . --heights " + heights)
                         .split(" "))) {
             awaitText(route.err(), "looks along the routes: done");

@@ -43,7 +43,9 @@ class RoutePlaceInterruptionTest {
         site();
         Outcome outcome;
         try (Child place = Program.start(
-                directory, List.of("-Xmx1g"), "place ring.place.yaml --threads 1 --progress --out .".split(" "))) {
+                directory,
+                List.of("-Xmx1g", "-XX:+UseSerialGC"),
+                "place ring.place.yaml --threads 1 --progress --out .".split(" "))) {
             awaitText(place.err(), reached);
             // Not SIGINT, which a build in the background ignores, and with it all that it starts.
             place.process().destroy();

@@ -63,9 +63,9 @@ class SeededRunsTest {
                     "camera",
                     CameraSettings.at(sensors)
                             .withLookAt(drone)
-                            // The middle of a full HD image: as many pixels on the drone.
-                            .withResolution(240, 135)
-                            .withVerticalFov(2.0 * Math.atan(Math.tan(0.5 * 0.6918) / 8.0))
+                            // The middle of a full HD image, a 24th of its width: as many pixels on the drone.
+                            .withResolution(80, 45)
+                            .withVerticalFov(2.0 * Math.atan(Math.tan(0.5 * 0.6918) / 24.0))
                             .withRate(1.0)
                             .withDetection(TargetTask.DEFAULT.withChance(true)));
             setAlert(alert);

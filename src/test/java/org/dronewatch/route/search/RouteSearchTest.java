@@ -47,8 +47,11 @@ class RouteSearchTest {
         @Override
         public double rate(double x, double y, double z, LegMotion motion, int mode) {
             int nearest = 0;
+            double least = distance(0, motion.heading());
             for (int i = 1; i < directions.count(); i++) {
-                nearest = distance(i, motion.heading()) < distance(nearest, motion.heading()) ? i : nearest;
+                double distance = distance(i, motion.heading());
+                nearest = distance < least ? i : nearest;
+                least = Math.min(distance, least);
             }
             return at(grid.nearest(new Position(x, y, z)), nearest, mode);
         }
@@ -122,11 +125,12 @@ class RouteSearchTest {
     /** A leg between two states. */
     private record Leg(int from, int to, double cost) {}
 
-    /** All legs, from their definition: forwards, from every state in every direction. */
+    /** All legs that can be flown, from their definition: forwards, from every state in every direction. */
     private static List<Leg> legs(RouteProblem problem) {
         List<Leg> legs = new ArrayList<>();
         RouteGrid grid = problem.grid();
         int headings = problem.turnRadius() > 0.0 ? problem.directions().count() : 1;
+        boolean[][] turns = turns(problem, headings);
         for (int mode = 0; mode < problem.modes().size(); mode++) {
             for (int heading = 0; heading < headings; heading++) {
                 for (int node = 0; node < grid.size(); node++) {
@@ -141,7 +145,7 @@ class RouteSearchTest {
                     }
                     for (int direction = 0; direction < problem.directions().count(); direction++) {
                         if (headings == 1 || direction == heading) {
-                            addLegs(legs, problem, mode, node, direction, state);
+                            addLegs(legs, problem, mode, node, direction, state, turns[direction]);
                         }
                     }
                 }
@@ -166,7 +170,19 @@ class RouteSearchTest {
         }
     }
 
-    private static void addLegs(List<Leg> legs, RouteProblem problem, int mode, int node, int direction, int state) {
+    /** Whether each direction may be followed by each heading. */
+    private static boolean[][] turns(RouteProblem problem, int headings) {
+        boolean[][] turns = new boolean[problem.directions().count()][headings];
+        for (int direction = 0; direction < turns.length; direction++) {
+            for (int heading = 0; heading < headings; heading++) {
+                turns[direction][heading] = headings == 1 || isTurnable(problem, direction, heading);
+            }
+        }
+        return turns;
+    }
+
+    private static void addLegs(
+            List<Leg> legs, RouteProblem problem, int mode, int node, int direction, int state, boolean... turns) {
         RouteGrid grid = problem.grid();
         PlanDirections directions = problem.directions();
         int column = node % grid.columns();
@@ -195,10 +211,12 @@ class RouteSearchTest {
                 continue;
             }
             double cost = cost(problem, mode, node, grid.node(toColumn, toRow, level + climb), direction);
-            int headings = problem.turnRadius() > 0.0 ? directions.count() : 1;
-            for (int heading = 0; heading < headings; heading++) {
-                int to = (mode * headings + heading) * grid.size() + grid.node(toColumn, toRow, level + climb);
-                if (headings == 1 || isTurnable(problem, direction, heading)) {
+            if (!(cost < Double.POSITIVE_INFINITY)) {
+                continue;
+            }
+            for (int heading = 0; heading < turns.length; heading++) {
+                int to = (mode * turns.length + heading) * grid.size() + grid.node(toColumn, toRow, level + climb);
+                if (turns[heading]) {
                     legs.add(new Leg(state, to, cost));
                 }
             }
@@ -283,9 +301,9 @@ class RouteSearchTest {
         for (int i = 0; i < pieces * GaussRule.POINTS; i++) {
             double share = (i / GaussRule.POINTS + GaussRule.at(i % GaussRule.POINTS)) / pieces;
             for (int column = 0; column < grid.columns(); column++) {
-                for (int row = 0; row < grid.rows(); row++) {
-                    double hat = Math.max(0.0, 1.0 - Math.abs(x + share * east - column))
-                            * Math.max(0.0, 1.0 - Math.abs(y + share * north - row));
+                double across = 1.0 - Math.abs(x + share * east - column);
+                for (int row = 0; across > 0.0 && row < grid.rows(); row++) {
+                    double hat = across * Math.max(0.0, 1.0 - Math.abs(y + share * north - row));
                     int node = grid.node(column, row, level);
                     double weight = grid.isOpen(node) ? GaussRule.weight(i % GaussRule.POINTS) * hat : 0.0;
                     sum += weight * ((Table) problem.field()).at(node, direction, mode);
@@ -357,14 +375,14 @@ class RouteSearchTest {
     private static int compare(RouteTree found, double[] expected, String problem) {
         int reachable = 0;
         for (int state = 0; state < expected.length; state++) {
-            if (expected[state] < Double.POSITIVE_INFINITY) {
-                assertThat(found.costOfState(state))
-                        .as("%s, state %d", problem, state)
-                        .isCloseTo(expected[state], within(1e-6 * (1.0 + expected[state])));
-                reachable++;
-            } else {
-                assertThat(found.costOfState(state)).isEqualTo(expected[state]);
+            double cost = found.costOfState(state);
+            boolean isReachable = expected[state] < Double.POSITIVE_INFINITY;
+            double tolerance = isReachable ? 1e-6 * (1.0 + expected[state]) : 0.0;
+            // There are millions of states: only one that differs is worth the time of an assertion.
+            if (cost != expected[state] && !(isReachable && Math.abs(cost - expected[state]) <= tolerance)) {
+                assertThat(cost).as("%s, state %d", problem, state).isCloseTo(expected[state], within(tolerance));
             }
+            reachable += isReachable ? 1 : 0;
         }
         return reachable;
     }

@@ -103,7 +103,7 @@ class AngularSurfaceTest {
         Position sensor = new Position(-3, 1, 1.5);
         double mean = 1 - 8 / 2.0 * (1 + 1 / 3.0 - Math.log(3));
         double expected = 0.0;
-        int steps = 4000;
+        int steps = 1000;
         double step = 2 * half / steps;
         for (int i = 0; i < steps; i++) {
             for (int j = 0; j < steps; j++) {

@@ -11,6 +11,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
+import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.acoustic.edge.EdgePath;
 import org.dronewatch.sensor.acoustic.edge.NearEdges;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
@@ -199,14 +200,15 @@ class DiffractionTest {
             double[] before = null;
             boolean[] hidden = new boolean[bands.length];
             boolean[] free = new boolean[bands.length];
+            // Past the top or the side; the roof of the block is level with the microphone, so that both its edges are
+            // reached together.
+            boolean isPastTheSide = site == sites.get(2);
+            Position sensor = new Position(isPastTheSide ? 0 : 0.3, 12, isPastTheSide ? 3 : 10);
+            EnergyTracer tracer = tracer(method, site, sensor);
             for (int i = -400; i <= 400; i++) {
-                // Past the top or the side; the roof of the block is level with the microphone, so that both its edges
-                // are reached together.
-                boolean isPastTheSide = site == sites.get(2);
                 Position source =
                         new Position(isPastTheSide ? 0.001 * i : 0.3, -12, isPastTheSide ? 3 : 10 + 0.001 * i);
-                Position sensor = new Position(isPastTheSide ? 0 : 0.3, 12, isPastTheSide ? 3 : 10);
-                double[] levels = overTheOpen(method, site, source, sensor, bands);
+                double[] levels = overTheOpen(tracer, source, sensor, bands);
                 for (int b = 0; b < bands.length; b++) {
                     assertThat(Math.abs(levels[b] - (before == null ? levels : before)[b]))
                             .as("site %d, band %d, step %d", sites.indexOf(site), bands[b], i)
@@ -229,9 +231,8 @@ class DiffractionTest {
     }
 
     /** Levels relative to those in the open, dB. */
-    private static double[] overTheOpen(
-            Diffraction method, World site, Position source, Position sensor, int... bands) {
-        EnergyReading reading = Sites.read(FEW.withDiffraction(method), site, Sites.broadband(source), sensor, 1);
+    private static double[] overTheOpen(EnergyTracer tracer, Position source, Position sensor, int... bands) {
+        EnergyReading reading = read(tracer, source);
         return Arrays.stream(bands)
                 .mapToDouble(band -> directOrRound(reading, band) - inTheOpen(source.distance(sensor), band))
                 .toArray();
@@ -243,10 +244,11 @@ class DiffractionTest {
     void nothingJumpsWhereASecondEdgeIsTouched(Diffraction method) {
         World block = world(Sites.box(-FAR, 0, -FAR, FAR, 8, 10));
         Position sensor = new Position(0, -12, 7);
+        EnergyTracer tracer = tracer(method, block, sensor);
         double[] before = null;
         double[] start = null;
         for (int i = 300; i >= -300; i--) {
-            double[] here = levels(method, block, new Position(0, 20, 10 + 0.001 * i), sensor);
+            double[] here = levels(tracer, new Position(0, 20, 10 + 0.001 * i));
             for (int band : new int[] {0, BAND_250, BAND_1000, 7}) {
                 assertThat(Math.abs(here[band] - (before == null ? here : before)[band]))
                         .as("band %d, step %d", band, i)
@@ -281,7 +283,7 @@ class DiffractionTest {
         double[] first = null;
         for (double top = 12; top < 18; top += 0.05) {
             World site = world(World.merge(List.of(block, Sites.wall(1, 0, 8, top, -20, 12))));
-            double[] here = levels(method, site, source, sensor);
+            double[] here = levels(tracer(method, site, sensor), source);
             for (int band = 0; band < here.length; band++) {
                 double step = Math.abs(here[band] - (before == null ? here : before)[band]);
                 assertThat(step).as("band %d, top %.2f m", band, top).isLessThan(0.4);
@@ -442,11 +444,20 @@ class DiffractionTest {
     }
 
     /** The levels of a sound that is as loud in all bands. */
-    private static double[] levels(Diffraction method, World world, Position source, Position sensor) {
-        EnergyReading reading = Sites.read(FEW.withDiffraction(method), world, Sites.broadband(source), sensor, 1);
+    private static double[] levels(EnergyTracer tracer, Position source) {
+        EnergyReading reading = read(tracer, source);
         return IntStream.range(0, OctaveBands.COUNT)
                 .mapToDouble(band -> directOrRound(reading, band))
                 .toArray();
+    }
+
+    /** A tracer finds what does not depend on the source only once. */
+    private static EnergyTracer tracer(Diffraction method, World world, Position sensor) {
+        return new EnergyTracer(FEW.withDiffraction(method), sensor, 0.4, world);
+    }
+
+    private static EnergyReading read(EnergyTracer tracer, Position source) {
+        return tracer.trace(Sites.broadband(source), new SplittableRandom(1), RayRecorder.NONE);
     }
 
     private static double directOrRound(EnergyReading reading, int band) {
