@@ -65,7 +65,7 @@ public final class SearchEnd {
         return isStopped.getAsBoolean();
     }
 
-    /** Whether the time is over. */
+    /** Whether the time is up. */
     public boolean isTimeOver() {
         return since(begun) > seconds;
     }

@@ -6,6 +6,11 @@ public interface Aimed {
     /** Its aim, in effect when no positioner turns it. */
     Aim aim();
 
+    /** Whether it matters where it is turned: not if it is the same in all horizontal directions. */
+    default boolean isDirectional() {
+        return true;
+    }
+
     /**
      * These settings with another aim, and everything else unchanged.
      *

@@ -54,6 +54,23 @@ class PlaceCandidatesTest {
                 .doesNotContain("Buying nothing");
     }
 
+    @Test
+    void theReportOnAnEmptyLayoutListsNoSensors() throws Exception {
+        Path file = PlacedSite.in(directory, "budget: 0.5\n");
+        Program.run("place", file.toString(), "--budgets=1", "--quiet", "--out=" + directory);
+
+        assertThat(Files.readString(directory.resolve("report.html")))
+                .contains("Nothing is bought, and no sensor is kept.")
+                .doesNotContain("Sensors of the layout", "No prices are known", "The sensors are listed");
+    }
+
+    /** The receivers of the site receive from all directions. */
+    @Test
+    void onlySensorsThatHaveADirectionHaveAnAzimuth() throws Exception {
+        assertThat(placed("budget: 9\n")).containsPattern("(?m)^radio-\\d +rf +[-\\d., ]+ +- +1\\.5 ");
+        assertThat(placed("budget: 1\n")).containsPattern("(?m)^eye-1-\\d+ +camera +[-\\d., ]+ +\\d+° +1 ");
+    }
+
     /** Numbers of sensors that no layout has are refused in one line, before anything is assessed. */
     @ParameterizedTest
     @CsvSource(

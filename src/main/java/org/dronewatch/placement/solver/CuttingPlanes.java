@@ -79,7 +79,7 @@ public final class CuttingPlanes {
 
     /**
      * The best layout that is found within some limits, whose time all rounds share; the oracle's answer on a layout is
-     * awaited, and a first layout is tried even if the time is over. An interruption of this thread also ends the
+     * awaited, and a first layout is tried even if the time is up. An interruption of this thread also ends the
      * search, and its interrupt status is kept. Empty if no layout complies, or none was found in time.
      *
      * @param round receives the number of layouts that have been given to the oracle so far

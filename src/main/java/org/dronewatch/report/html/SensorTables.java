@@ -28,6 +28,15 @@ public final class SensorTables {
 
     /** A row for each sensor. */
     public String sensors() {
+        return sensors("No prices are known; they can be set in the scene under 'prices'.");
+    }
+
+    /**
+     * The same.
+     *
+     * @param unpriced what to say if the scene states no prices
+     */
+    public String sensors(String unpriced) {
         Map<String, Double> prices = settings.prices().sensors();
         boolean priced = !prices.isEmpty();
         List<String> head =
@@ -57,8 +66,7 @@ public final class SensorTables {
             String rest = unknown == 0 ? "" : "excluding " + unknown + " of unknown price";
             rows.add(List.of("all", "", "", "", money(sum), rest));
         }
-        return Html.table(head, rows)
-                + (priced ? "" : Html.plain("p", "No prices are known; they can be set in the scene under 'prices'."));
+        return Html.table(head, rows) + (priced ? "" : Html.plain("p", unpriced));
     }
 
     private static String money(double amount) {

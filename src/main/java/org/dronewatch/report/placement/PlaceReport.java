@@ -92,14 +92,18 @@ final class PlaceReport {
             page.warning(
                     TimeStopWords.sentences(results.front().stopped().get()).replaceFirst("[.]$", ""));
         }
-        page.section("What to buy", purchases());
+        boolean isEmpty = best.chosen().isEmpty();
+        page.section(
+                "What to buy", isEmpty ? Html.plain("p", "Nothing is bought, and no sensor is kept.") : purchases());
         page.section("What more money buys", front() + figures(pictures, FRONT::equals));
         for (PlaceChapter.Section section : chapter.sections()) {
             page.section(section.title(), section.html());
         }
         SensorTables sensors = new SensorTables(layout);
-        page.section("Sensors of the layout", sensors.sensors());
-        page.section("Sources of the settings", sensors.sources());
+        if (!isEmpty) {
+            page.section("Sensors of the layout", sensors.sensors("The prices are those of the placement file."));
+            page.section("Sources of the settings", sensors.sources());
+        }
         page.section(
                 "Scope of these results",
                 Html.element(

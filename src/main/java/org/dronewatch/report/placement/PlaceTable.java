@@ -259,10 +259,11 @@ final class PlaceTable {
         return azimuth.isPresent() ? text("%.0f°", azimuth.getAsDouble()) : NONE;
     }
 
-    /** The direction in which a sensor is aimed, from north towards east, deg; empty if it has no aim. */
+    /** The direction in which a sensor is aimed, from north towards east, deg; empty if it has none that matters. */
     static OptionalDouble azimuth(SiteCandidate sensor) {
         return sensor.sensor()
                 .as(Aimed.class)
+                .filter(Aimed::isDirectional)
                 .map(aimed -> aimed.aim().from(sensor.sensor().position()))
                 .map(forward -> OptionalDouble.of(
                         (Math.toDegrees(StrictMath.atan2(forward.x(), forward.y())) + FULL_TURN) % FULL_TURN))

@@ -220,6 +220,11 @@ public record RadarSettings(
     }
 
     @Override
+    public boolean isDirectional() {
+        return azimuthWidth < 2.0 * Math.PI;
+    }
+
+    @Override
     public RadarSettings withAim(Aim other) {
         return SettingsForm.with(this, "aim", other);
     }

@@ -163,6 +163,11 @@ public record RfSettings(
 
     /** These settings with another aim of the beam; of no effect without a beam. */
     @Override
+    public boolean isDirectional() {
+        return beam.isPresent();
+    }
+
+    @Override
     public RfSettings withAim(Aim other) {
         return SettingsForm.with(this, "aim", other);
     }
