@@ -172,7 +172,7 @@ final class PlaceAttacks {
                         incomplete, attacks, kept.result(), again(plan, seed, overrides, Optional.of(flown)));
     }
 
-    /** The results without all of the attacks: for a user who does not wait, or since the time is over. */
+    /** The results without all of the attacks: for a user who does not wait, or since the time is up. */
     private static PlaceResults incomplete(PlaceResults results, SolverLimits limits, Interruption interruption) {
         return interruption.isOutOfTime() ? results.without(LeftOut.ATTACKS, limits) : results;
     }

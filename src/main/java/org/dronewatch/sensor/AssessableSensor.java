@@ -59,9 +59,10 @@ public interface AssessableSensor extends Sensor {
     /**
      * As {@link #assess}, but at less cost where possible, for a field that stores probabilities in steps. A
      * probability may be replaced by another one that counts as equal; those of 0 and 1 are also the same. Estimates
-     * may draw other random numbers; they are just as accurate, unless only their side matters. For a drone that is
-     * detected, the quantity may be lower, and so may that of an estimate for one that is missed; the cause and the
-     * obstacle are the same, unless an estimate decides. The same as {@code assess} unless overridden.
+     * may draw other random numbers; they are just as accurate, unless it matters only on which side of a limit they
+     * lie. For a drone that is detected, the quantity may be lower, and so may that of an estimate for one that is
+     * missed; the cause and the obstacle are the same, unless an estimate decides. The same as {@code assess} unless
+     * overridden.
      *
      * @param resolution the probabilities that count as equal
      */

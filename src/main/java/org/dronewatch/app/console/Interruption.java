@@ -43,7 +43,7 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
-    /** Whether the command is to stop: the user has asked for it, or its time is over. */
+    /** Whether the command is to stop: the user has asked for it, or its time is up. */
     public boolean happened() {
         return happened;
     }

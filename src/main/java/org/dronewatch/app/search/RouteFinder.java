@@ -74,10 +74,10 @@ public final class RouteFinder {
                 .of(found.routes(), found.survey(), found.between(), found.times());
     }
 
-    /** The routes from some directions are worth flying for a user, but not once the time is over. */
+    /** The routes from some directions are worth flying for a user, but not once the time is up. */
     private void letFinish() {
         if (interruption.isOutOfTime()) {
-            throw new CancellationException("the time is over");
+            throw new CancellationException("the time is up");
         }
         interruption.letFinish();
     }

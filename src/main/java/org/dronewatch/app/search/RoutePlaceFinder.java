@@ -94,7 +94,7 @@ final class RoutePlaceFinder implements PlaceFinder {
             return front.points().stream().allMatch(point -> holds(point.layout()));
         }
 
-        /** Whether something has to be left out, since the user wants the end or the time is over. */
+        /** Whether something has to be left out, since the user wants the end or the time is up. */
         private boolean cuts() {
             // What was interrupted may have cleared the interrupt status of the thread.
             isCut |= task.interruption().happened();

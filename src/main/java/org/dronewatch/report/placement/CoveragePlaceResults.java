@@ -17,7 +17,7 @@ import tools.jackson.databind.node.ObjectNode;
  *
  * @param front best layouts for several budgets
  * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search
- *     was interrupted, or its time was over, before they were computed
+ *     was interrupted, or its time was up, before they were computed
  */
 public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<LayoutFields> fields)
         implements PlaceResults {

@@ -21,7 +21,7 @@ import tools.jackson.databind.node.ObjectNode;
  *
  * @param front best layouts for several budgets
  * @param layout the routes past the layout, as flown; empty if the layout has no sensor, its scene would be
- *     inconsistent, or the search was interrupted, or its time was over, before they were computed
+ *     inconsistent, or the search was interrupted, or its time was up, before they were computed
  * @param present the routes past the scene's own sensors, as flown; empty if it has none, or for the reasons above
  * @param lost by the name of a sensor whose loss is worst, the routes past the others, as flown; none where the search
  *     has found a route past the others on which nothing detects the drone, or for the reasons above

@@ -20,7 +20,7 @@ import tools.jackson.databind.node.ObjectNode;
  *
  * @param front best layouts for several budgets
  * @param warnings of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search was
- *     interrupted, or its time was over, before they were computed
+ *     interrupted, or its time was up, before they were computed
  */
 public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<LayoutWarnings> warnings)
         implements PlaceResults {

@@ -83,8 +83,9 @@ public final class LevelHearing implements SoundTracer {
 
     /**
      * {@inheritDoc} It does not trace rays that cannot lead to a ray that is loud enough; where some looks detect the
-     * drone and some do not, it traces more of the others, so that the probability is more accurate. If only
-     * the side of a probability matters, it traces no more rays after the first look than are needed to show it.
+     * drone and some do not, it traces more of the others, so that the probability is more accurate. If it matters only
+     * on which side of a limit the probability lies, it traces no more rays after the first look than are needed to
+     * show it.
      */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random, ProbabilityResolution resolution) {
