@@ -16,7 +16,7 @@ public record ProbabilityResolution(double high, boolean isSideOnly) {
         }
     }
 
-    /** All probabilities below a high one, which count as equal from there on. */
+    /** Tells all probabilities below a high one apart; those from it upwards count as equal. */
     public static ProbabilityResolution upTo(double high) {
         return new ProbabilityResolution(high, false);
     }

@@ -11,7 +11,7 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * The looks that a sensor takes within some time while it searches. The time begins at any phase of the search; the
  * search repeats itself. The first phase determines all others at which the sensor looks: within a time shorter than
- * the period, a sensor that turns may not once point to the drone. Immutable.
+ * the period, a sensor that turns may never point at the drone. Immutable.
  */
 public final class LookWindow {
     /** Observers whose required probabilities differ by less than this are treated as one. */

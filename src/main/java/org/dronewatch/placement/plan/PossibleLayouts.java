@@ -9,7 +9,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Whether the numbers of sensors that a plan asks for are possible at all, which shows before any candidate is
+ * Whether the numbers of sensors that a plan asks for are possible at all, which can be checked before any candidate is
  * assessed. That exclusive sensors may not share a place is left to the search.
  */
 public final class PossibleLayouts {

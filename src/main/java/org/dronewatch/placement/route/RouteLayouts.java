@@ -136,7 +136,7 @@ public final class RouteLayouts {
             return planes.within(budget).solve(limits, round -> {}).map(figures::inBrief);
         }
 
-        /** Exposures are those on the routes that were found, so a smaller difference may be none. */
+        /** Exposures are those on the routes found, so that a difference smaller than the gap may not be real. */
         @Override
         public boolean isBetter(RoutePlacement layout, double value, SolverLimits limits) {
             return layout.value() > (1.0 + limits.gap()) * value;

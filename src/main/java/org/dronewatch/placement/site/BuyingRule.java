@@ -16,7 +16,7 @@ public enum BuyingRule {
     LEAST_LOST,
 
     /**
-     * From its end: at each step, the sensor is left out without which the worst case is best; in a tie, the one that
+     * From its end: each step leaves out the sensor without which the worst case is best or, in a tie, the one that
      * contributes least over all cases per unit of price. Where only the worst case counts, the first sensors often do
      * not improve it.
      */

@@ -29,7 +29,7 @@ public interface CheaperLayouts<L extends PlacedLayout> {
 
     /**
      * Whether a layout is better than some value by more than the search can resolve: not if the values are equal, nor
-     * if they are estimates that differ by less than the gap to which they were sought.
+     * if they are estimates that differ by less than the gap of the search.
      */
     default boolean isBetter(L layout, double value, SolverLimits limits) {
         return layout.value() > value;

@@ -21,7 +21,7 @@ public final class FrontSearch<L extends PlacedLayout> {
     private final L best;
     private final DoubleFunction<String> text;
 
-    /** A search in which values differ however small the difference. */
+    /** A search in which values count as different even if they differ by very little. */
     public FrontSearch(CheaperLayouts<L> layouts) {
         this(layouts, Double::toString);
     }

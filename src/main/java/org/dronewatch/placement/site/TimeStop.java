@@ -7,7 +7,7 @@ import java.util.List;
  * What a time limit has stopped.
  *
  * @param seconds the time limit, s
- * @param gap the gap to which layouts were sought, as a fraction of their value, 0 to 1
+ * @param gap the gap at which the search was to end, as a fraction of their value, 0 to 1
  * @param gapReached whether the layout for the whole budget has reached it
  * @param cheaper whether the search for cheaper layouts was stopped, or had no time left to begin
  * @param leftOut what was not complete {@link org.dronewatch.placement.SearchEnd#FOLLOW_UP} later
