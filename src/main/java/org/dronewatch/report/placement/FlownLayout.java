@@ -40,7 +40,7 @@ public record FlownLayout(RouteInputs inputs, RouteResults results) {
 
     /** A sentence of {@code route} whose advice names its options: here, these are settings of the airspace. */
     static String asSettings(String sentence) {
-        return sentence.replaceAll("--(heights|side|cell)\\b", "air.$1");
+        return sentence.replaceAll("--(heights|side)\\b", "air.$1");
     }
 
     /**
