@@ -17,11 +17,8 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
-import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
-import org.dronewatch.analysis.field.FieldAssessment;
-import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.SolverLimits;
@@ -33,10 +30,8 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Mounted;
-import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
-import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -187,14 +182,7 @@ class PlaceSearchTest {
 
     /** All candidates are sensors of one scene, whose field says which of them cover each cell on each heading. */
     private void countAll(PlacePlan plan, SitePlacement placement) {
-        Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
-        plan.candidates().forEach(one -> sensors.put(one.name(), one.sensor()));
-        Stage stage = plan.runner().stage(plan.present());
-        var scene = SettingsForm.with(plan.present(), Map.of("sensors", sensors, "disabled", Set.of()));
-        List<Course> courses = Course.all(Map.of(), DetectionField.droneOf(stage, FieldSite.DRONE))
-                .subList(0, 8);
-        DetectionField field =
-                FieldAssessment.of(scene, stage, FieldSite.DRONE, placement.grid(), courses, cells -> {});
+        DetectionField field = CandidateField.of(plan, placement.grid());
         int columns = placement.grid().columns();
         for (int at = 0; at < columns * columns * 2 * 8; at++) {
             int column = at % columns;
@@ -203,7 +191,7 @@ class PlaceSearchTest {
             int course = at / (columns * columns * 2);
             if (field.isOpen(height, column, row)) {
                 int who = 0;
-                for (int sensor = 0; sensor < sensors.size(); sensor++) {
+                for (int sensor = 0; sensor < plan.candidates().size(); sensor++) {
                     who |= field.probability(sensor, height, column, row, course) >= 0.5 ? 1 << sensor : 0;
                 }
                 covered.merge(who, 1, Integer::sum);

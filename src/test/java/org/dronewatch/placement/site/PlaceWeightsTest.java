@@ -10,25 +10,18 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
-import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
-import org.dronewatch.analysis.field.FieldAssessment;
-import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.solver.ExactSolver;
 import org.dronewatch.run.Stage;
-import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.SettingsForm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -158,13 +151,7 @@ class PlaceWeightsTest {
         static final String OTHERS = "others";
 
         static AllChoices of(PlacePlan plan, FieldGrid grid, Map<String, Rectangle> zones) {
-            Map<String, SensorSettings<?>> sensors = new LinkedHashMap<>();
-            plan.candidates().forEach(one -> sensors.put(one.name(), one.sensor()));
-            Stage stage = plan.runner().stage(plan.present());
-            var scene = SettingsForm.with(plan.present(), Map.of("sensors", sensors, "disabled", Set.of()));
-            List<Course> courses = Course.all(Map.of(), DetectionField.droneOf(stage, FieldSite.DRONE))
-                    .subList(0, 8);
-            DetectionField field = FieldAssessment.of(scene, stage, FieldSite.DRONE, grid, courses, cells -> {});
+            DetectionField field = CandidateField.of(plan, grid);
             AllChoices all = new AllChoices(new HashMap<>(), new HashMap<>());
             int columns = grid.columns();
             for (int at = 0; at < columns * columns * 2 * 8; at++) {
@@ -173,7 +160,7 @@ class PlaceWeightsTest {
                 int height = at / (columns * columns) % 2;
                 if (field.isOpen(height, column, row)) {
                     int who = 0;
-                    for (int sensor = 0; sensor < sensors.size(); sensor++) {
+                    for (int sensor = 0; sensor < plan.candidates().size(); sensor++) {
                         who |= field.probability(sensor, height, column, row, at / (columns * columns * 2)) >= 0.5
                                 ? 1 << sensor
                                 : 0;
