@@ -66,7 +66,7 @@ public record GuardSettings(
     private Observation look(World world, Drone drone, Look look) {
         double distance = drone.distance(position);
         boolean visible = !world.isOccluded(position.toPoint3d(), drone.position());
-        double size = visible ? 2.0 * Math.atan(drone.reach() / distance) : 0.0;
+        double size = visible ? 2.0 * Math.atan(drone.radius() / distance) : 0.0;
         return new Observation(look.id(kind()), drone.id(), distance, new Reading(size, acuity, "rad"));
     }
 }

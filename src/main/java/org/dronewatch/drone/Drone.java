@@ -3,11 +3,13 @@ package org.dronewatch.drone;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.flight.Attitude;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.AABB;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
+import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.sound.Tone;
 import org.jogamp.vecmath.Matrix4d;
 import org.jogamp.vecmath.Point3d;
@@ -15,16 +17,17 @@ import org.jogamp.vecmath.Vector3d;
 
 /**
  * A drone at one time: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving it
- * changes the matrix only, and returns a new drone that shares the tree. Immutable and thread-safe.
+ * changes the matrix only, and returns a new drone that shares the mesh. Immutable and thread-safe.
  *
  * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, like
  * vecmath's {@code rotX}, {@code rotY} and {@code rotZ}.
  */
 public final class Drone {
+    private static final double ROUNDING = 1e-9;
+
     private final String id;
     private final DroneSettings settings;
-    private final KDTree tree;
-    private final Silhouettes silhouettes;
+    private final DroneMesh mesh;
     private final Matrix4d modelMatrix;
     private final InverseMatrix worldToModel;
     private final Vector3d velocity;
@@ -32,21 +35,24 @@ public final class Drone {
 
     /** A drone at the origin of the world, its nose to the north, at rest. */
     public Drone(String id, DroneSettings settings, KDTree tree) {
-        this(id, settings, tree, new Silhouettes(tree), identity(), new Vector3d(), OptionalDouble.empty());
+        this(id, settings, new TracingIndex(tree));
+    }
+
+    /** The same with the index of its mesh, which it may share with other drones. */
+    public Drone(String id, DroneSettings settings, TracingIndex index) {
+        this(id, settings, new DroneMesh(index), identity(), new Vector3d(), OptionalDouble.empty());
     }
 
     private Drone(
             String id,
             DroneSettings settings,
-            KDTree tree,
-            Silhouettes silhouettes,
+            DroneMesh mesh,
             Matrix4d modelMatrix,
             Vector3d velocity,
             OptionalDouble gliding) {
         this.id = id;
         this.settings = settings;
-        this.tree = tree;
-        this.silhouettes = silhouettes;
+        this.mesh = mesh;
         this.modelMatrix = modelMatrix;
         this.velocity = velocity;
         this.gliding = gliding;
@@ -83,7 +89,7 @@ public final class Drone {
     private Drone turned(Matrix4d turn) {
         Matrix4d next = new Matrix4d();
         next.mul(modelMatrix, turn);
-        return new Drone(id, settings, tree, silhouettes, next, velocity, gliding);
+        return new Drone(id, settings, mesh, next, velocity, gliding);
     }
 
     /** This drone displaced in the world, m; its velocity is unchanged. */
@@ -92,7 +98,7 @@ public final class Drone {
         next.m03 += displacement.x;
         next.m13 += displacement.y;
         next.m23 += displacement.z;
-        return new Drone(id, settings, tree, silhouettes, next, velocity, gliding);
+        return new Drone(id, settings, mesh, next, velocity, gliding);
     }
 
     /** This drone in a given state of its flight: its model unscaled, rotated by the {@link Attitude}. */
@@ -108,7 +114,7 @@ public final class Drone {
             pose.mul(turn);
         }
         pose.setTranslation(state.position().toVector3d());
-        return new Drone(id, settings, tree, silhouettes, pose, state.velocity().toVector3d(), state.gliding());
+        return new Drone(id, settings, mesh, pose, state.velocity().toVector3d(), state.gliding());
     }
 
     /**
@@ -117,7 +123,7 @@ public final class Drone {
      * @throws IllegalArgumentException when the matrix cannot be inverted
      */
     public Drone withModelMatrix(Matrix4d matrix) {
-        return new Drone(id, settings, tree, silhouettes, new Matrix4d(matrix), velocity, gliding);
+        return new Drone(id, settings, mesh, new Matrix4d(matrix), velocity, gliding);
     }
 
     /** Its name in the scene. */
@@ -132,17 +138,25 @@ public final class Drone {
 
     /** The tree over its mesh, in model space. */
     public KDTree tree() {
-        return tree;
+        return mesh.index().tree();
+    }
+
+    /**
+     * A new ray tracer of its mesh, in model space, for the use of one thread: for rays that start far away in
+     * comparison with its size.
+     */
+    public RayTracer newRayTracer() {
+        return mesh.index().newIncoherentRayTracer();
     }
 
     /** The silhouettes of its model when it is level; computed when they are needed, and shared by its copies. */
     public SilhouetteTable silhouettes() {
-        return silhouettes.table();
+        return mesh.silhouettes();
     }
 
     /** The box around its mesh, in model space, m. */
     public AABB modelBounds() {
-        return tree.bounds();
+        return tree().bounds();
     }
 
     /** A copy of the matrix from model space to the world. */
@@ -196,31 +210,26 @@ public final class Drone {
     }
 
     /**
-     * An upper bound on the distance of its mesh from its origin, m: the reach of its model box times the largest
-     * stretch factor of the matrix.
+     * An upper bound on the distance of its mesh from its origin, m: the same at all attitudes, and the exact distance
+     * where its model is not stretched unevenly.
      */
-    public double reach() {
-        AABB box = tree.bounds();
-        double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));
-        double y = Math.max(Math.abs(box.minY()), Math.abs(box.maxY()));
-        double z = Math.max(Math.abs(box.minZ()), Math.abs(box.maxZ()));
-        Matrix4d m = modelMatrix;
-        double a = x * Math.abs(m.m00) + y * Math.abs(m.m01) + z * Math.abs(m.m02);
-        double b = x * Math.abs(m.m10) + y * Math.abs(m.m11) + z * Math.abs(m.m12);
-        double c = x * Math.abs(m.m20) + y * Math.abs(m.m21) + z * Math.abs(m.m22);
-        return Math.sqrt(a * a + b * b + c * c);
+    public double radius() {
+        return mesh.radius() * stretch(modelMatrix);
     }
 
-    /** An upper bound on the distance of its mesh from its origin at any attitude, m. */
-    public double radius() {
-        AABB box = tree.bounds();
-        double x = Math.max(Math.abs(box.minX()), Math.abs(box.maxX()));
-        double y = Math.max(Math.abs(box.minY()), Math.abs(box.maxY()));
-        double z = Math.max(Math.abs(box.minZ()), Math.abs(box.maxZ()));
-        Matrix4d m = modelMatrix;
-        return x * Math.sqrt(m.m00 * m.m00 + m.m10 * m.m10 + m.m20 * m.m20)
-                + y * Math.sqrt(m.m01 * m.m01 + m.m11 * m.m11 + m.m21 * m.m21)
-                + z * Math.sqrt(m.m02 * m.m02 + m.m12 * m.m12 + m.m22 * m.m22);
+    /**
+     * How much longer a matrix makes a vector, at most: the root of a bound on the largest eigenvalue of its transpose
+     * times itself (Gershgorin). Of a rotation, the same number whatever its rounding.
+     */
+    private static double stretch(Matrix4d m) {
+        double xx = m.m00 * m.m00 + m.m10 * m.m10 + m.m20 * m.m20;
+        double yy = m.m01 * m.m01 + m.m11 * m.m11 + m.m21 * m.m21;
+        double zz = m.m02 * m.m02 + m.m12 * m.m12 + m.m22 * m.m22;
+        double xy = Math.abs(m.m00 * m.m01 + m.m10 * m.m11 + m.m20 * m.m21);
+        double xz = Math.abs(m.m00 * m.m02 + m.m10 * m.m12 + m.m20 * m.m22);
+        double yz = Math.abs(m.m01 * m.m02 + m.m11 * m.m12 + m.m21 * m.m22);
+        double most = Math.max(xx + xy + xz, Math.max(yy + xy + yz, zz + xz + yz));
+        return Math.abs(most - 1.0) < ROUNDING ? 1.0 + ROUNDING : Math.sqrt(most) * (1.0 + ROUNDING);
     }
 
     /** A copy of its velocity, m/s. */
@@ -267,26 +276,5 @@ public final class Drone {
         Matrix4d identity = new Matrix4d();
         identity.setIdentity();
         return identity;
-    }
-
-    /** The silhouettes of a tree's mesh, once they are needed. */
-    private static final class Silhouettes {
-        private final KDTree tree;
-        private volatile SilhouetteTable table;
-
-        Silhouettes(KDTree tree) {
-            this.tree = tree;
-        }
-
-        SilhouetteTable table() {
-            if (table == null) {
-                synchronized (this) {
-                    if (table == null) {
-                        table = new SilhouetteTable(tree.mesh());
-                    }
-                }
-            }
-            return table;
-        }
     }
 }

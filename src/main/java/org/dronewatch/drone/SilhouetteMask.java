@@ -1,5 +1,7 @@
 package org.dronewatch.drone;
 
+import java.util.Arrays;
+
 /**
  * What a level drone certainly covers, and what it certainly does not, when it is seen from any of a range of
  * directions: a grid of square texels around its origin, in the plane across the line of sight. The grid's first
@@ -23,6 +25,12 @@ public final class SilhouetteMask {
 
     private final byte[] kinds;
 
+    /** What was looked up last for a whole list of texels; null for nothing. */
+    private volatile Selection selection;
+
+    /** The kinds of a list of texels, which is the same array for all masks. */
+    private record Selection(int[] texels, byte[] kinds) {}
+
     /** A mask of texels, row by row; the array is not copied. */
     SilhouetteMask(byte[] kinds) {
         this.kinds = kinds;
@@ -34,5 +42,30 @@ public final class SilhouetteMask {
      */
     public byte kind(int texel) {
         return kinds[texel];
+    }
+
+    /**
+     * Copies the kinds of a list of texels, which are kept until those of another list are requested: a list is far
+     * smaller than a mask, and so remains in the processor's caches where masks do not.
+     *
+     * @param texels numbers of texels, or a negative number for a point that is outside the mask; must not be changed
+     *     afterwards
+     * @param target receives the kinds, in the same order; {@link #OUTSIDE} for points outside the mask
+     */
+    public void copyKinds(int[] texels, byte[] target) {
+        Selection known = selection;
+        if (known == null || !Arrays.equals(known.texels, texels)) {
+            known = new Selection(texels, select(texels));
+            selection = known;
+        }
+        System.arraycopy(known.kinds, 0, target, 0, known.kinds.length);
+    }
+
+    private byte[] select(int[] texels) {
+        byte[] selected = new byte[texels.length];
+        for (int i = 0; i < texels.length; i++) {
+            selected[i] = texels[i] < 0 ? OUTSIDE : kinds[texels[i]];
+        }
+        return selected;
     }
 }

@@ -25,7 +25,7 @@ final class DronePainter {
 
     void paint(CameraObject camera, Canvas canvas) {
         Position at = drone.origin();
-        double reach = drone.reach();
+        double reach = drone.radius();
         if (camera.isOutside(at.x(), at.y(), at.z(), reach)) {
             return;
         }

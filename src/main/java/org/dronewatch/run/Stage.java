@@ -111,8 +111,7 @@ public final class Stage {
         FlightPaths paths = new FlightPaths(
                 new Places(site, world::newGround), settings.run().duration(), models);
         settings.individualDrones().forEach((id, drone) -> {
-            Drone created = new Drone(
-                    id, drone, models.index(drone.model(), site.tracing()).tree());
+            Drone created = new Drone(id, drone, models.index(drone.model(), site.tracing()));
             airborne.add(new Airborne(created, paths.of(id, drone)));
             droneColours.put(id, Map.copyOf(models.colours(drone.model())));
         });

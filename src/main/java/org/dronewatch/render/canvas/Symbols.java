@@ -156,7 +156,7 @@ public final class Symbols {
         }
         double x = view[0];
         double y = view[1];
-        boolean hidden = !sight.sees(at, mark.drone().reach());
+        boolean hidden = !sight.sees(at, mark.drone().radius());
         double r = scale * (selected ? 15.0 : 12.0);
         Ellipse2D ring = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
         g.setStroke(new BasicStroke((float) (4.5 * scale)));

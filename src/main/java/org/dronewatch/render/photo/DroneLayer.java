@@ -24,7 +24,7 @@ final class DroneLayer {
         this.surfaces = surfaces;
         this.toModel = drone.worldToModel();
         Position at = drone.origin();
-        double reach = drone.reach();
+        double reach = drone.radius();
         double[] view = new double[3];
         camera.toView(at.x(), at.y(), at.z(), view, 0);
         double near = view[2] - reach;

@@ -36,7 +36,7 @@ final class SignificantPixels {
         target.clear();
         drone.modelMatrix(model);
         // Most cameras of a site look elsewhere: they are done here.
-        if (camera.isOutside(model.m03, model.m13, model.m23, drone.reach())) {
+        if (camera.isOutside(model.m03, model.m13, model.m23, drone.radius())) {
             return;
         }
         setCorners(drone.modelBounds());

@@ -29,10 +29,12 @@ public final class SilhouetteArea {
     private final CameraObject camera;
     private final VisibleArea area;
     private final byte[] kinds = new byte[RayBundle.RAYS];
+    private final BundleTexels rays = new BundleTexels();
     private final Matrix4d model = new Matrix4d();
     private final Matrix4d asked = new Matrix4d();
     private boolean isKnown;
     private double least;
+    private double likely;
     private double most;
 
     /** Bounds on the areas in an image. */
@@ -54,13 +56,13 @@ public final class SilhouetteArea {
         Position at = state.position();
         Position vector = at.minus(camera.position());
         double range = vector.length();
-        double reach = drone.reach();
+        double radius = drone.radius();
         SilhouetteTable table = drone.silhouettes();
         double depth = vector.dot(camera.outline().forward());
         if (!(range > table.minRange())
                 || !(Math.abs(vector.z()) < STEEPEST * range)
-                || !(depth - reach > Math.max(camera.near(), CameraObject.NEAR))
-                || !(depth + reach < camera.far())) {
+                || !(depth - radius > Math.max(camera.near(), CameraObject.NEAR))
+                || !(depth + radius < camera.far())) {
             return false;
         }
         double level = Math.sqrt(vector.x() * vector.x() + vector.y() * vector.y());
@@ -70,24 +72,19 @@ public final class SilhouetteArea {
             return false;
         }
         least = 0.0;
+        likely = 0.0;
         most = 0.0;
         RayBundle bundle = area.bundle();
-        bundle.set(vector, range, reach);
+        bundle.set(vector, range, radius);
         double texelsPerUnit = 0.5 * SilhouetteMask.TEXELS / table.halfWidth();
-        double scale = bundle.half() * range * texelsPerUnit;
-        double middle = table.halfWidth() * texelsPerUnit;
+        rays.look(mask, bundle.half() * range * texelsPerUnit, radius * texelsPerUnit, kinds);
         for (int i = 0; i < RayBundle.RAYS; i++) {
-            int column = (int) Math.floor(RayBundle.across(i) * scale + middle);
-            int row = (int) Math.floor(RayBundle.upwards(i) * scale + middle);
-            kinds[i] = SilhouetteMask.OUTSIDE;
-            if (((column | row) & -SilhouetteMask.TEXELS) == 0) {
-                byte kind = mask.kind(column + SilhouetteMask.TEXELS * row);
-                kinds[i] = kind;
-                if (kind != SilhouetteMask.OUTSIDE) {
-                    double part = bundle.part(i);
-                    most += part;
-                    least += kind == SilhouetteMask.INSIDE ? part : 0.0;
-                }
+            byte kind = kinds[i];
+            if (kind != SilhouetteMask.OUTSIDE) {
+                double part = bundle.part(i);
+                most += part;
+                likely += kind != SilhouetteMask.UNLIKELY ? part : 0.0;
+                least += kind == SilhouetteMask.INSIDE ? part : 0.0;
             }
         }
         least *= 1.0 - ROUNDING;
@@ -102,15 +99,23 @@ public final class SilhouetteArea {
      * doubt. In the end, the bounds are equal but for rounding.
      *
      * @param drone the one that was bounded last
+     * @param isLarge whether the decision is expected to be the one for a large area: rays that raise the lower bound
+     *     are then traced first, otherwise those that lower the upper one
      * @param isDecisive whether the bounds as they are now suffice; if they do, narrower ones must as well
      * @return whether they are decisive
      */
-    public boolean narrow(Drone drone, BooleanSupplier isDecisive) {
+    public boolean narrow(Drone drone, boolean isLarge, BooleanSupplier isDecisive) {
         RayTracer model = area.tracer(drone);
+        byte first = isLarge ? SilhouetteMask.LIKELY : SilhouetteMask.UNLIKELY;
+        byte second = isLarge ? SilhouetteMask.UNLIKELY : SilhouetteMask.LIKELY;
+        return narrow(model, first, isDecisive) || narrow(model, second, isDecisive) || isDecisive.getAsBoolean();
+    }
+
+    private boolean narrow(RayTracer model, byte kind, BooleanSupplier isDecisive) {
         int traced = 0;
         for (int number = 0; number < RayBundle.RAYS; number++) {
             int ray = VisibleArea.inOrder(number);
-            double part = isInDoubt(kinds[ray]) ? area.bundle().part(ray) * (1.0 - ROUNDING) : 0.0;
+            double part = kinds[ray] == kind ? area.bundle().part(ray) * (1.0 - ROUNDING) : 0.0;
             if (part == 0.0) {
                 continue;
             }
@@ -124,11 +129,7 @@ public final class SilhouetteArea {
                 return true;
             }
         }
-        return isDecisive.getAsBoolean();
-    }
-
-    private static boolean isInDoubt(byte kind) {
-        return kind == SilhouetteMask.LIKELY || kind == SilhouetteMask.UNLIKELY;
+        return false;
     }
 
     /** Whether the bounds are those of a drone in its present pose. */
@@ -147,8 +148,77 @@ public final class SilhouetteArea {
         return least;
     }
 
+    /** The area in the image as far as the mask shows it, which is between its bounds, pixels. */
+    public double likely() {
+        return likely;
+    }
+
     /** An upper bound on the area in the image, pixels. */
     public double most() {
         return most;
+    }
+
+    /**
+     * Where the rays of a {@link RayBundle} meet the masks of a drone's silhouette. From afar, they meet all masks of a
+     * drone at the same points, whose kinds each mask keeps; nearer, a few rays meet the neighbouring texel. Not
+     * thread-safe.
+     */
+    static final class BundleTexels {
+        private static final int BEYOND = -1;
+
+        private final int[] moved = new int[RayBundle.RAYS];
+        private final int[] movedTexels = new int[RayBundle.RAYS];
+        private int count;
+        private double scale = Double.NaN;
+
+        // From infinitely far away. Another array for each drone: masks recognise it.
+        private int[] far = new int[0];
+        private double farScale = Double.NaN;
+
+        /**
+         * Looks up all rays in a mask.
+         *
+         * @param half half the side of the bundle's square, in the plane of the mask, texels
+         * @param halfFromAfar the same from infinitely far away, texels
+         * @param kinds receives the kind for each ray, {@link SilhouetteMask#OUTSIDE} outside the mask
+         */
+        void look(SilhouetteMask mask, double half, double halfFromAfar, byte[] kinds) {
+            set(half, halfFromAfar);
+            mask.copyKinds(far, kinds);
+            for (int i = 0; i < count; i++) {
+                int texel = movedTexels[i];
+                kinds[moved[i]] = texel == BEYOND ? SilhouetteMask.OUTSIDE : mask.kind(texel);
+            }
+        }
+
+        private void set(double half, double halfFromAfar) {
+            if (half == scale && halfFromAfar == farScale) {
+                return;
+            }
+            if (halfFromAfar != farScale) {
+                farScale = halfFromAfar;
+                far = new int[RayBundle.RAYS];
+                for (int ray = 0; ray < RayBundle.RAYS; ray++) {
+                    far[ray] = texel(ray, halfFromAfar);
+                }
+            }
+            scale = half;
+            count = 0;
+            for (int ray = 0; ray < RayBundle.RAYS; ray++) {
+                int texel = texel(ray, half);
+                if (texel != far[ray]) {
+                    moved[count] = ray;
+                    movedTexels[count] = texel;
+                    count++;
+                }
+            }
+        }
+
+        private static int texel(int ray, double half) {
+            double middle = 0.5 * SilhouetteMask.TEXELS;
+            int column = (int) Math.floor(RayBundle.across(ray) * half + middle);
+            int row = (int) Math.floor(RayBundle.upwards(ray) * half + middle);
+            return ((column | row) & -SilhouetteMask.TEXELS) == 0 ? column + SilhouetteMask.TEXELS * row : BEYOND;
+        }
     }
 }

@@ -4,8 +4,8 @@ import java.util.function.DoublePredicate;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.SilhouetteMask;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
-import org.dronewatch.kdtree.StackTraversal;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.world.World;
 import org.jogamp.vecmath.Matrix4d;
@@ -34,6 +34,15 @@ public final class VisibleArea {
     private final double[] parts = new double[RayBundle.RAYS];
 
     private boolean isObstructed;
+
+    // The position of the camera in the drone's model.
+    private double fromX;
+    private double fromY;
+    private double fromZ;
+
+    // Of the drone that was traced last; null for none.
+    private KDTree traced;
+    private RayTracer tracer;
 
     /** Areas in the image of a camera in a world. */
     public VisibleArea(CameraObject camera, World world) {
@@ -102,17 +111,17 @@ public final class VisibleArea {
         Position at = drone.origin();
         Position vector = at.minus(from);
         double range = vector.length();
-        double reach = drone.reach();
-        if (camera.isOutside(at.x(), at.y(), at.z(), reach)) {
+        double radius = drone.radius();
+        if (camera.isOutside(at.x(), at.y(), at.z(), radius)) {
             return 0.0;
         }
-        if (range <= reach) {
+        if (range <= radius) {
             // It sits on the lens, which a near plane keeps free, or on the back of the camera.
             return camera.near() > 0.0 || vector.dot(outline.forward()) < 0.0
                     ? 0.0
                     : (double) camera.width() * camera.height();
         }
-        bundle.set(vector, range, reach);
+        bundle.set(vector, range, radius);
         RayTracer model = tracer(drone);
         double found = 0.0;
         double asked = 0.0;
@@ -145,8 +154,17 @@ public final class VisibleArea {
 
     /** The tracer of a drone's own mesh, where it is. */
     RayTracer tracer(Drone drone) {
-        drone.worldToModel(toModel);
-        return new StackTraversal(drone.tree());
+        Position at = camera.position();
+        Matrix4d m = toModel;
+        drone.worldToModel(m);
+        fromX = m.m00 * at.x() + m.m01 * at.y() + m.m02 * at.z() + m.m03;
+        fromY = m.m10 * at.x() + m.m11 * at.y() + m.m12 * at.z() + m.m13;
+        fromZ = m.m20 * at.x() + m.m21 * at.y() + m.m22 * at.z() + m.m23;
+        if (drone.tree() != traced) {
+            traced = drone.tree();
+            tracer = drone.newRayTracer();
+        }
+        return tracer;
     }
 
     /**
@@ -184,7 +202,7 @@ public final class VisibleArea {
         return sight == RayBundle.FREE;
     }
 
-    /** Whether the ray of the bundle that was aimed last meets the drone. */
+    /** Whether the ray of the bundle that was aimed last meets the drone; the tracer states where. */
     private boolean isHit(RayTracer model) {
         double depth = bundle.depth();
         if (depth <= 0.0) {
@@ -193,12 +211,11 @@ public final class VisibleArea {
         double x = bundle.x();
         double y = bundle.y();
         double z = bundle.z();
-        Position at = camera.position();
         Matrix4d m = toModel;
         return model.closestHit(
-                m.m00 * at.x() + m.m01 * at.y() + m.m02 * at.z() + m.m03,
-                m.m10 * at.x() + m.m11 * at.y() + m.m12 * at.z() + m.m13,
-                m.m20 * at.x() + m.m21 * at.y() + m.m22 * at.z() + m.m23,
+                fromX,
+                fromY,
+                fromZ,
                 m.m00 * x + m.m01 * y + m.m02 * z,
                 m.m10 * x + m.m11 * y + m.m12 * z,
                 m.m20 * x + m.m21 * y + m.m22 * z,

@@ -76,8 +76,11 @@ final class ThermalBounds {
         if (!silhouette.bound(there, state) || !sight.isClear(state.position(), drone.radius())) {
             return Optional.empty();
         }
-        if (!isDecisive(there, steps) && !silhouette.narrow(there, () -> isDecisive(there, steps))) {
-            return Optional.empty();
+        if (!isDecisive(there, steps)) {
+            boolean isLarge = signals.of(there, silhouette.likely()).isDetected();
+            if (!silhouette.narrow(there, isLarge, () -> isDecisive(there, steps))) {
+                return Optional.empty();
+            }
         }
         Signal low = signals.of(there, silhouette.least());
         Signal high = signals.of(there, silhouette.most());

@@ -20,11 +20,20 @@ final class CoverageDrafting implements AutoCloseable {
     private static final double FIRST = 0.02;
 
     /** The least time between two pictures of the same layout, s. */
-    private static final double PAUSE = 0.1;
+    private static final double PAUSE = 0.2;
 
     private static final double NANO = 1e-9;
 
     private final Latest thread;
+
+    /** What was covered before a sensor was moved: the same while it is dragged. Of the drafting thread. */
+    private Optional<Before> before = Optional.empty();
+
+    private record Before(ViewedCoverage coverage, int height, Set<String> off, RemainingCoverage remaining) {
+        boolean isOf(ViewedCoverage other, int otherHeight, Set<String> otherOff) {
+            return coverage == other && height == otherHeight && off.equals(otherOff);
+        }
+    }
 
     /**
      * Nothing is drawn.
@@ -51,7 +60,16 @@ final class CoverageDrafting implements AutoCloseable {
             Set<String> off,
             SceneSettings moved,
             Consumer<CoverageSkinning.Shown> target) {
-        thread.ask(outdated -> new Drawing(before, height, off, moved, target, outdated).draw());
+        thread.ask(outdated ->
+                new Drawing(before, height, off, remaining(before, height, off), moved, target, outdated).draw());
+    }
+
+    private RemainingCoverage remaining(ViewedCoverage coverage, int height, Set<String> off) {
+        if (before.filter(known -> known.isOf(coverage, height, off)).isEmpty()) {
+            before = Optional.of(new Before(
+                    coverage, height, off, RemainingCoverage.of(coverage.all(), coverage.without(off), height)));
+        }
+        return before.orElseThrow().remaining();
     }
 
     /** No sensor is displaced any longer. */
@@ -73,6 +91,7 @@ final class CoverageDrafting implements AutoCloseable {
             ViewedCoverage before,
             int height,
             Set<String> off,
+            RemainingCoverage unmoved,
             SceneSettings moved,
             Consumer<CoverageSkinning.Shown> target,
             BooleanSupplier outdated) {
@@ -118,7 +137,7 @@ final class CoverageDrafting implements AutoCloseable {
                     ? MoveWords.Fineness.COMPLETE
                     : draft.isFine() ? MoveWords.Fineness.FINE : MoveWords.Fineness.COARSE;
             String words = MoveWords.sentence(
-                    RemainingCoverage.of(before.all(), before.without(off), height),
+                    unmoved,
                     remaining,
                     off,
                     FieldDraft.movedSensors(before.all().field(), moved),

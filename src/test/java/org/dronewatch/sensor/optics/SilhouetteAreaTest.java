@@ -62,14 +62,16 @@ class SilhouetteAreaTest {
                 continue;
             }
             inDoubt++;
+            assertThat(silhouette.likely()).as(as).isBetween(silhouette.least(), most);
             double limit = silhouette.least() + random.nextDouble() * (most - silhouette.least());
-            boolean isDecided = silhouette.narrow(there, () -> silhouette.least() > limit || silhouette.most() < limit);
+            boolean isDecided = silhouette.narrow(
+                    there, silhouette.likely() > limit, () -> silhouette.least() > limit || silhouette.most() < limit);
             assertThat(isDecided).as(as).isTrue();
             assertThat(exact).as(as).isBetween(silhouette.least(), silhouette.most());
             early += silhouette.most() - silhouette.least() > 1e-6 * most ? 1 : 0;
 
             assertThat(silhouette.bound(there, state)).isTrue();
-            assertThat(silhouette.narrow(there, () -> false)).as(as).isFalse();
+            assertThat(silhouette.narrow(there, i % 2 == 0, () -> false)).as(as).isFalse();
             assertThat(exact).as(as).isBetween(silhouette.least(), silhouette.most());
             assertThat(silhouette.most() - silhouette.least()).as(as).isLessThan(1e-8 * most);
         }
