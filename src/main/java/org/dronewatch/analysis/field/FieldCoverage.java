@@ -5,7 +5,6 @@ import java.util.OptionalInt;
 import java.util.function.IntConsumer;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntUnaryOperator;
-import java.util.stream.IntStream;
 import org.dronewatch.analysis.cell.ProbabilityStep;
 import org.dronewatch.analysis.layer.Dominance;
 import org.dronewatch.parallel.Workers;
@@ -126,6 +125,7 @@ public final class FieldCoverage {
             return 0;
         }
         int chosen = 0;
+        int highest = dominant(height, column, row, chosen);
         double least = Double.POSITIVE_INFINITY;
         for (int course = 0; course < field.courses().size(); course++) {
             double missed = 1.0;
@@ -134,27 +134,31 @@ public final class FieldCoverage {
             }
             double rank = choice == Choice.WORST ? -missed : missed;
             int order = Double.compare(rank, least);
-            if (order < 0 || order == 0 && isPreferred(course, chosen, height, column, row)) {
+            if (order > 0) {
+                continue;
+            }
+            // Of courses with the same joint probability, the one with the higher rank counts: a drone that is missed
+            // on
+            // all courses is then not too slow if it would be missed at any speed, and the cause does not depend on the
+            // order of the courses, which begin in the north.
+            int its = dominant(height, column, row, course);
+            if (order < 0 || its > highest) {
                 least = rank;
                 chosen = course;
+                highest = its;
             }
         }
         return chosen;
     }
 
-    /**
-     * Whether a course counts instead of an earlier one with the same joint probability. A drone that is missed on all
-     * courses is then not too slow if it would be missed at any speed, and the cause does not depend on the order of
-     * the courses, which begin in the north.
-     */
-    private boolean isPreferred(int course, int earlier, int height, int column, int row) {
-        return dominant(height, column, row, course) > dominant(height, column, row, earlier);
-    }
-
-    /** The highest rank of a sensor. */
+    /** The highest rank of a sensor; 0 if there is none. */
     private int dominant(int height, int column, int row, int course) {
         IntUnaryOperator ranks = ranks(height, column, row, course);
-        return IntStream.range(0, field.sensors().size()).map(ranks).max().orElse(0);
+        int highest = 0;
+        for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
+            highest = Math.max(highest, ranks.applyAsInt(sensor));
+        }
+        return highest;
     }
 
     private int index(int height, int column, int row) {
