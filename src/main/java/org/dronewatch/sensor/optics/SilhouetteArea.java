@@ -171,7 +171,7 @@ public final class SilhouetteArea {
         private int count;
         private double scale = Double.NaN;
 
-        // From infinitely far away. Another array for each drone: masks recognise it.
+        // From infinitely far away. A new array for another size: masks keep the last one.
         private int[] far = new int[0];
         private double farScale = Double.NaN;
 
