@@ -1,7 +1,6 @@
 package org.dronewatch.drone;
 
 import org.dronewatch.bvh.TracingIndex;
-import org.dronewatch.geometry.TriangleMesh;
 
 /** The mesh of a drone in model space, and what is derived from it once it is needed. Thread-safe. */
 final class DroneMesh {
@@ -11,20 +10,7 @@ final class DroneMesh {
 
     DroneMesh(TracingIndex index) {
         this.index = index;
-        this.radius = radius(index.tree().mesh());
-    }
-
-    private static double radius(TriangleMesh mesh) {
-        double square = 0.0;
-        for (int triangle = 0; triangle < mesh.triangleCount(); triangle++) {
-            for (int corner = 0; corner < 3; corner++) {
-                double x = mesh.coordinate(triangle, corner, 0);
-                double y = mesh.coordinate(triangle, corner, 1);
-                double z = mesh.coordinate(triangle, corner, 2);
-                square = Math.max(square, x * x + y * y + z * z);
-            }
-        }
-        return Math.sqrt(square);
+        this.radius = index.tree().mesh().radius();
     }
 
     /** Finds the triangles along rays. */

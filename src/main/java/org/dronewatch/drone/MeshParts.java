@@ -123,18 +123,6 @@ final class MeshParts {
         return at;
     }
 
-    /** The largest distance of a vertex from the origin, m. */
-    double radius() {
-        double most = 0.0;
-        for (int i = 0; i < points.length; i += 3) {
-            double x = points[i];
-            double y = points[i + 1];
-            double z = points[i + 2];
-            most = Math.max(most, Math.sqrt(x * x + y * y + z * z));
-        }
-        return most;
-    }
-
     /** x, y, z of each vertex, m; not copied. */
     float[] points() {
         return points;

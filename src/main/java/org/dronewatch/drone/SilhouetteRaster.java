@@ -36,7 +36,7 @@ final class SilhouetteRaster {
 
     SilhouetteRaster(TriangleMesh mesh) {
         this.parts = new MeshParts(mesh);
-        this.radius = Math.max(parts.radius(), Double.MIN_NORMAL);
+        this.radius = Math.max(mesh.radius(), Double.MIN_NORMAL);
         // Perspective magnifies what is nearer than the origin.
         this.halfWidth = radius * (1.0 + 1.0 / MIN_RANGE);
         this.texel = 2.0 * halfWidth / TEXELS;

@@ -117,6 +117,20 @@ public final class TriangleMesh {
         return vertices[3 * corners[3 * triangle + corner] + axis];
     }
 
+    /** The greatest distance of a triangle's corner from the origin, m; 0 without triangles. */
+    public double radius() {
+        double square = 0.0;
+        for (int triangle = 0; triangle < triangleCount(); triangle++) {
+            for (int corner = 0; corner < 3; corner++) {
+                double x = coordinate(triangle, corner, 0);
+                double y = coordinate(triangle, corner, 1);
+                double z = coordinate(triangle, corner, 2);
+                square = Math.max(square, x * x + y * y + z * z);
+            }
+        }
+        return Math.sqrt(square);
+    }
+
     /** The least coordinate of a triangle's corners on an axis, m; parameters as for {@link #coordinate}. */
     public float least(int triangle, int axis) {
         return Math.min(

@@ -1,6 +1,5 @@
 package org.dronewatch.analysis.survey;
 
-import java.util.BitSet;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
 
@@ -20,26 +19,17 @@ public record RemainingCoverage(
     /** Counts the cells of a height, given by its number. */
     public static RemainingCoverage of(FieldCoverage all, FieldCoverage rest, int height) {
         FieldGrid grid = all.field().grid();
-        BitSet before = cells(grid, (column, row) -> all.isCovered(height, column, row));
-        BitSet after = rest == all ? before : cells(grid, (column, row) -> rest.isCovered(height, column, row));
-        BitSet both = (BitSet) before.clone();
-        both.and(after);
         int known = grid.count((column, row) -> all.isKnown(height, column, row));
-        int covered = before.cardinality();
-        int remaining = after.cardinality();
-        int gone = covered - both.cardinality();
+        int covered = grid.count((column, row) -> all.isCovered(height, column, row));
+        int remaining = grid.count((column, row) -> rest.isCovered(height, column, row));
+        int gone =
+                grid.count((column, row) -> all.isCovered(height, column, row) && !rest.isCovered(height, column, row));
         return new RemainingCoverage(all, rest, height, known, covered, remaining, gone);
-    }
-
-    private static BitSet cells(FieldGrid grid, FieldGrid.CellTest test) {
-        BitSet cells = new BitSet(grid.cells());
-        grid.forEachCell((column, row) -> cells.set(grid.cell(column, row), test.isTrue(column, row)));
-        return cells;
     }
 
     /** Whether a cell is covered with all sensors, but not by the rest of them. */
     public boolean isLost(int column, int row) {
-        return rest != all && all.isCovered(height, column, row) && !rest.isCovered(height, column, row);
+        return all.isCovered(height, column, row) && !rest.isCovered(height, column, row);
     }
 
     /**

@@ -26,15 +26,6 @@ final class CoverageDrafting implements AutoCloseable {
 
     private final Latest thread;
 
-    /** What was covered before a sensor was moved: the same while it is dragged. Of the drafting thread. */
-    private Optional<Before> before = Optional.empty();
-
-    private record Before(ViewedCoverage coverage, int height, Set<String> off, RemainingCoverage remaining) {
-        boolean isOf(ViewedCoverage other, int otherHeight, Set<String> otherOff) {
-            return coverage == other && height == otherHeight && off.equals(otherOff);
-        }
-    }
-
     /**
      * Nothing is drawn.
      *
@@ -60,16 +51,7 @@ final class CoverageDrafting implements AutoCloseable {
             Set<String> off,
             SceneSettings moved,
             Consumer<CoverageSkinning.Shown> target) {
-        thread.ask(outdated ->
-                new Drawing(before, height, off, remaining(before, height, off), moved, target, outdated).draw());
-    }
-
-    private RemainingCoverage remaining(ViewedCoverage coverage, int height, Set<String> off) {
-        if (before.filter(known -> known.isOf(coverage, height, off)).isEmpty()) {
-            before = Optional.of(new Before(
-                    coverage, height, off, RemainingCoverage.of(coverage.all(), coverage.without(off), height)));
-        }
-        return before.orElseThrow().remaining();
+        thread.ask(outdated -> new Drawing(before, height, off, moved, target, outdated).draw());
     }
 
     /** No sensor is displaced any longer. */
@@ -91,7 +73,6 @@ final class CoverageDrafting implements AutoCloseable {
             ViewedCoverage before,
             int height,
             Set<String> off,
-            RemainingCoverage unmoved,
             SceneSettings moved,
             Consumer<CoverageSkinning.Shown> target,
             BooleanSupplier outdated) {
@@ -137,7 +118,7 @@ final class CoverageDrafting implements AutoCloseable {
                     ? MoveWords.Fineness.COMPLETE
                     : draft.isFine() ? MoveWords.Fineness.FINE : MoveWords.Fineness.COARSE;
             String words = MoveWords.sentence(
-                    unmoved,
+                    RemainingCoverage.of(before.all(), before.without(off), height),
                     remaining,
                     off,
                     FieldDraft.movedSensors(before.all().field(), moved),
