@@ -35,7 +35,7 @@ public final class CauseFills {
     static final MapSheet.Fill NO_SENSOR = lined(GREY, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
 
     /** A cell that is covered, but not without a sensor: the colour of what is detected, crossed out. */
-    static final MapSheet.Fill LOST = (u, v, ground) -> isCross(u, v) ? Color.BLACK : LIGHT_BLUE;
+    static final MapSheet.Fill LOST = (u, v, ground) -> (isCross(u, v) ? Color.BLACK : LIGHT_BLUE).getRGB();
 
     /** A cell in which a sensor detects the drone, but not with the probability, or within the time, asked for. */
     static final MapSheet.Fill TOO_RARELY = lined(LIGHT_BLUE, (u, v) -> (u + v) % PERIOD < 2);

@@ -40,7 +40,8 @@ public final class ChangeMap {
             return switch (this) {
                 case BOTH -> CauseFills.of(Cause.DETECTED);
                 case GAINED ->
-                    (u, v, ground) -> (u + v) % PERIOD < 2 ? GREEN : ColourMix.of(ground, PALE_GREEN, STRENGTH);
+                    (u, v, ground) ->
+                            (u + v) % PERIOD < 2 ? GREEN.getRGB() : ColourMix.of(ground, PALE_GREEN, STRENGTH);
                 case LOST -> CauseFills.LOST;
                 case NEITHER -> (u, v, ground) -> ColourMix.of(ground, GREY, STRENGTH);
                 case NOTHING -> CauseFills.OUTSIDE;

@@ -1,6 +1,5 @@
 package org.dronewatch.report.coverage;
 
-import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
@@ -56,7 +55,7 @@ public final class CoverageSkin implements SiteSkin {
     @Override
     public int colour(double east, double north, int column, int row, int below) {
         int cell = cell(east, north);
-        return cell < 0 ? below : fills[cell].at(column, row, pale(below)).getRGB() & 0xffffff;
+        return cell < 0 ? below : fills[cell].at(column, row, pale(below)) & 0xffffff;
     }
 
     private int cell(double east, double north) {
@@ -68,10 +67,10 @@ public final class CoverageSkin implements SiteSkin {
     }
 
     /** The grey of a colour, with the weights of ITU-R BT.601, paler. */
-    private static Color pale(int colour) {
+    private static int pale(int colour) {
         double luma = 0.299 * (colour >> 16 & 255) + 0.587 * (colour >> 8 & 255) + 0.114 * (colour & 255);
-        int grey = (int) Math.round(PALER * PALEST + (1.0 - PALER) * luma);
-        return new Color(grey, grey, grey);
+        int grey = (int) (PALER * PALEST + (1.0 - PALER) * luma + 0.5);
+        return grey << 16 | grey << 8 | grey;
     }
 
     /** The cell above or below a point; empty outside the grid. */
@@ -91,7 +90,7 @@ public final class CoverageSkin implements SiteSkin {
         BufferedImage image = new BufferedImage(SWATCH_WIDTH, SWATCH_HEIGHT, BufferedImage.TYPE_INT_RGB);
         for (int v = 0; v < SWATCH_HEIGHT; v++) {
             for (int u = 0; u < SWATCH_WIDTH; u++) {
-                image.setRGB(u, v, fill.at(u, v, new Color(SWATCH_GROUND)).getRGB());
+                image.setRGB(u, v, fill.at(u, v, SWATCH_GROUND));
             }
         }
         return image;

@@ -128,7 +128,7 @@ final class FieldPictures {
         }
         sheet.entry(HeightFills.of(grid, Double.NaN), "not up to " + metres(below));
         if (Arrays.stream(ground).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
-            sheet.entry((u, v, any) -> fill(grid, Double.NaN).at(u, v, ReliefShade.NOTHING), "no ground");
+            sheet.entry((u, v, any) -> fill(grid, Double.NaN).at(u, v, ReliefShade.NOTHING.getRGB()), "no ground");
         }
         if (grid.count(grid::isOutside) > 0) {
             sheet.entry(CauseFills.OUTSIDE, CellState.OUTSIDE.inWords(false));
@@ -145,7 +145,7 @@ final class FieldPictures {
         MapSheet.Fill fill = HeightFills.of(grid, height);
         return Double.isNaN(height)
                 ? (u, v, below) ->
-                        (below.equals(ReliefShade.NOTHING) ? CauseFills.of(Cause.UNKNOWN) : fill).at(u, v, below)
+                        (below == ReliefShade.NOTHING.getRGB() ? CauseFills.of(Cause.UNKNOWN) : fill).at(u, v, below)
                 : fill;
     }
 

@@ -77,7 +77,7 @@ public final class WarningMap {
             sheet.sample(Color.BLACK, "protected zone");
         }
         if (Arrays.stream(below).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
-            sheet.entry((u, v, any) -> pale(u, v, ReliefShade.NOTHING), "height of the ground unknown");
+            sheet.entry((u, v, any) -> pale(u, v, ReliefShade.NOTHING.getRGB()), "height of the ground unknown");
         }
         sheet.explainSensors();
         sheet.space();
@@ -89,8 +89,8 @@ public final class WarningMap {
     }
 
     /** The ground below the lines; a pattern where nothing is known of it. */
-    private static Color pale(int u, int v, Color ground) {
-        return ground.equals(ReliefShade.NOTHING)
+    private static int pale(int u, int v, int ground) {
+        return ground == ReliefShade.NOTHING.getRGB()
                 ? CauseFills.of(Cause.UNKNOWN).at(u, v, ground)
                 : ColourMix.of(ground, Color.WHITE, 0.35);
     }

@@ -113,7 +113,7 @@ final class TimeToGoPicture {
         return part < 0.5 ? ColourMix.of(SHORT, MEDIUM, 2.0 * part) : ColourMix.of(MEDIUM, LONG, 2.0 * part - 1.0);
     }
 
-    private Color colour(int u, int v, Color ground) {
+    private int colour(int u, int v, int ground) {
         double time = at(u, v);
         if (Double.isNaN(time)) {
             return ColourMix.of(ground, NOWHERE, STRENGTH);
@@ -122,7 +122,7 @@ final class TimeToGoPicture {
         double slope = Math.hypot(at(u + 1, v) - time, at(u, v + 1) - time);
         double response = inputs.response();
         if (response > 0.0 && Math.abs(time - response) <= 0.5 * WIDTH * slope) {
-            return LINE;
+            return LINE.getRGB();
         }
         int number = Math.max(0, Math.min(classes - 1, (int) (time / step)));
         return ColourMix.of(ground, ofClass(number), STRENGTH);

@@ -18,13 +18,18 @@ public final class ColourMix {
                 (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
     }
 
-    /** The same for pixels: red, green and blue in the lowest 24 bits. */
+    /** The same for a pixel: red, green and blue in the lowest 24 bits. */
+    public static int of(int below, Color above, double share) {
+        return of(below, above.getRGB(), share);
+    }
+
+    /** The same for two pixels. */
     static int of(int below, int above, double share) {
         return part(below, above, share, 16) | part(below, above, share, 8) | part(below, above, share, 0);
     }
 
     private static int part(int below, int above, double share, int shift) {
-        int mixed = (int) Math.round((1 - share) * (below >> shift & 0xff) + share * (above >> shift & 0xff));
-        return mixed << shift;
+        double mixed = (1 - share) * (below >> shift & 0xff) + share * (above >> shift & 0xff);
+        return (int) (mixed + 0.5) << shift;
     }
 }

@@ -50,8 +50,8 @@ public final class MapSheet {
      * pattern.
      */
     public interface Fill {
-        /** The colour of a pixel over that of the ground. */
-        Color at(int u, int v, Color ground);
+        /** The colour of a pixel over that of the ground: red, green and blue in the lowest 24 bits. */
+        int at(int u, int v, int ground);
     }
 
     /** The fill of each cell. */
@@ -84,7 +84,7 @@ public final class MapSheet {
         for (int v = 0; v < MAP; v++) {
             for (int u = 0; u < MAP; u++) {
                 Fill fill = cells.at(u * grid.columns() / MAP, v * grid.columns() / MAP);
-                image.setRGB(u, v, fill.at(u, v, new Color(ground[v * MAP + u])).getRGB());
+                image.setRGB(u, v, fill.at(u, v, ground[v * MAP + u]));
             }
         }
         sensors.forEach(this::drawSensor);
@@ -261,8 +261,7 @@ public final class MapSheet {
         int top = line - SWATCH_HEIGHT + 2;
         for (int v = 0; v < SWATCH_HEIGHT; v++) {
             for (int u = 0; u < SWATCH_WIDTH; u++) {
-                image.setRGB(
-                        left + u, top + v, fill.at(u, v, new Color(0xd8d4cc)).getRGB());
+                image.setRGB(left + u, top + v, fill.at(u, v, 0xd8d4cc));
             }
         }
         g.setColor(Color.DARK_GRAY);

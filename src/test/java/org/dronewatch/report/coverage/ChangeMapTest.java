@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** What one layout covers and the other does not, counted cell by cell. */
 class ChangeMapTest {
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 380, 20, List.of(2.0));
-    private static final Color GROUND = new Color(0xb9b9b9);
+    private static final int GROUND = 0xb9b9b9;
 
     private static final String WEST =
             """
@@ -55,7 +55,7 @@ class ChangeMapTest {
     /** The colours and patterns of a period of 8 by 8 pixels. */
     private static List<Color> pixels(MapSheet.Fill fill) {
         return java.util.stream.IntStream.range(0, 64)
-                .mapToObj(i -> fill.at(i % 8, i / 8, GROUND))
+                .mapToObj(i -> new Color(fill.at(i % 8, i / 8, GROUND)))
                 .toList();
     }
 

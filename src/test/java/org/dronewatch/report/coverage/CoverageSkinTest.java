@@ -3,7 +3,6 @@ package org.dronewatch.report.coverage;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,7 +43,7 @@ class CoverageSkinTest {
     private static final FieldGrid GRID = new FieldGrid(10, -5, 420, 12, List.of(2.0, 12.0, 60.0));
     private static final int GREY = 0x808080;
     /** What the skin makes of the grey of the ground. */
-    private static final Color PALE = new Color(0xb9b9b9);
+    private static final int PALE = 0xb9b9b9;
 
     private static final long SEED = 20261126;
 
@@ -254,9 +253,8 @@ class CoverageSkinTest {
                 int row = cell / GRID.columns();
                 if (all.isKnown(height, column, row) && !all.isCovered(height, column, row)) {
                     assertThat(skin.colour(GRID.x(column), GRID.y(row), 3, 6, GREY))
-                            .isEqualTo(CauseFills.NO_SENSOR.at(3, 6, PALE).getRGB() & 0xffffff)
-                            .isNotEqualTo(
-                                    CauseFills.of(Cause.UNKNOWN).at(3, 6, PALE).getRGB() & 0xffffff);
+                            .isEqualTo(CauseFills.NO_SENSOR.at(3, 6, PALE) & 0xffffff)
+                            .isNotEqualTo(CauseFills.of(Cause.UNKNOWN).at(3, 6, PALE) & 0xffffff);
                 }
             }
         }

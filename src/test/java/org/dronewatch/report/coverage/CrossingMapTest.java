@@ -2,7 +2,6 @@ package org.dronewatch.report.coverage;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -19,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 class CrossingMapTest {
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 380, 20, List.of(40.0));
     private static final int GREY = 0x808080;
-    private static final Color PALE = new Color(0xb9b9b9);
+    private static final int PALE = 0xb9b9b9;
 
     @TempDir
     private Path directory;
@@ -61,6 +60,6 @@ class CrossingMapTest {
     }
 
     private static int fill(Cause cause) {
-        return CauseFills.of(cause).at(0, 0, PALE).getRGB() & 0xffffff;
+        return CauseFills.of(cause).at(0, 0, PALE) & 0xffffff;
     }
 }
