@@ -45,13 +45,17 @@ final class SkinLayer {
         Position eye = below.camera().position();
         double step = below.width() / (scale * canvas.width);
         Workers.forEach(canvas.height, row -> {
+            double acrossEast = grid[1][0];
+            double acrossNorth = grid[1][1];
+            double firstEast = grid[0][0] + row * grid[2][0];
+            double firstNorth = grid[0][1] + row * grid[2][1];
             for (int column = 0; column < canvas.width; column++) {
                 int pixel = row * canvas.width + column;
                 int triangle = canvas.triangle[pixel];
                 if (triangle != Canvas.NOTHING && facets.normal(triangle, 2) > LEAST_UPWARD) {
                     double depth = canvas.depth[pixel];
-                    double east = eye.x() + depth * (grid[0][0] + column * grid[1][0] + row * grid[2][0]);
-                    double north = eye.y() + depth * (grid[0][1] + column * grid[1][1] + row * grid[2][1]);
+                    double east = eye.x() + depth * (firstEast + column * acrossEast);
+                    double north = eye.y() + depth * (firstNorth + column * acrossNorth);
                     canvas.rgb[pixel] =
                             skin.colour(east, north, (int) (step * column), (int) (step * row), canvas.rgb[pixel]);
                 }

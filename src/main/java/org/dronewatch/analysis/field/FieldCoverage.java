@@ -125,40 +125,28 @@ public final class FieldCoverage {
             return 0;
         }
         int chosen = 0;
-        int highest = dominant(height, column, row, chosen);
+        int highest = 0;
         double least = Double.POSITIVE_INFINITY;
         for (int course = 0; course < field.courses().size(); course++) {
             double missed = 1.0;
+            int most = 0;
             for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
-                missed *= 1.0 - field.probability(sensor, height, column, row, course);
+                int steps = field.step(sensor, height, column, row, course);
+                missed *= 1.0 - ProbabilityStep.stated(steps);
+                most = Math.max(most, Dominance.rank(steps, field.cause(sensor, height, column, row, course)));
             }
             double rank = choice == Choice.WORST ? -missed : missed;
             int order = Double.compare(rank, least);
-            if (order > 0) {
-                continue;
-            }
             // Of courses with the same joint probability, the one with the higher rank counts: a drone that is missed
-            // on
-            // all courses is then not too slow if it would be missed at any speed, and the cause does not depend on the
-            // order of the courses, which begin in the north.
-            int its = dominant(height, column, row, course);
-            if (order < 0 || its > highest) {
+            // on all courses is then not too slow if it would be missed at any speed, and the cause does not depend on
+            // the order of the courses, which begin in the north.
+            if (order < 0 || order == 0 && most > highest) {
                 least = rank;
                 chosen = course;
-                highest = its;
+                highest = most;
             }
         }
         return chosen;
-    }
-
-    /** The highest rank of a sensor; 0 if there is none. */
-    private int dominant(int height, int column, int row, int course) {
-        IntUnaryOperator ranks = ranks(height, column, row, course);
-        int highest = 0;
-        for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
-            highest = Math.max(highest, ranks.applyAsInt(sensor));
-        }
-        return highest;
     }
 
     private int index(int height, int column, int row) {

@@ -1,6 +1,7 @@
 package org.dronewatch.analysis.field;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -33,7 +34,8 @@ final class FieldSensors {
 
     private final Map<String, FieldProbe> probes;
     private final List<String> names;
-    private final List<SensorLayer> layers;
+    /** An array, since they are read for each cell and course. */
+    private final SensorLayer[] layers;
 
     private FieldSensors(
             List<Course> courses, int[] inLayers, Map<String, FieldProbe> probes, List<SensorLayer> layers) {
@@ -41,7 +43,7 @@ final class FieldSensors {
         this.inLayers = inLayers;
         this.probes = Collections.unmodifiableMap(probes);
         this.names = List.copyOf(probes.keySet());
-        this.layers = List.copyOf(layers);
+        this.layers = layers.toArray(SensorLayer[]::new);
     }
 
     /**
@@ -83,18 +85,18 @@ final class FieldSensors {
     FieldSensors deciding(int needed) {
         Map<String, FieldProbe> others = new LinkedHashMap<>();
         probes.forEach((id, probe) -> others.put(id, probe.deciding(needed)));
-        return new FieldSensors(courses, inLayers, others, layers);
+        return new FieldSensors(courses, inLayers, others, List.of(layers));
     }
 
     /** One of the sensors, given by its number, on the same courses. */
     FieldSensors only(int sensor) {
-        return new FieldSensors(
-                courses, inLayers, Map.of(names.get(sensor), probe(sensor)), List.of(layers.get(sensor)));
+        return new FieldSensors(courses, inLayers, Map.of(names.get(sensor), probe(sensor)), List.of(layers[sensor]));
     }
 
     /** The same sensors at one height alone, given by its number: as many courses as in their layers. */
     FieldSensors at(int height) {
-        List<SensorLayer> there = layers.stream().map(layer -> layer.at(height)).toList();
+        List<SensorLayer> there =
+                Arrays.stream(layers).map(layer -> layer.at(height)).toList();
         return new FieldSensors(courses, inLayers, probes, there);
     }
 
@@ -109,13 +111,13 @@ final class FieldSensors {
 
     /** The assessments of a sensor, given by its number. */
     SensorLayer layer(int sensor) {
-        return layers.get(sensor);
+        return layers[sensor];
     }
 
     /** Assesses all cells of one height with each sensor in turn. */
     void assess(int height, FieldColumns columns, LayerStore store, String plan, String name, IntConsumer progress) {
-        for (int sensor = 0; sensor < layers.size(); sensor++) {
-            store.assess(layers.get(sensor), probe(sensor), columns, plan, height, name, progress);
+        for (int sensor = 0; sensor < layers.length; sensor++) {
+            store.assess(layers[sensor], probe(sensor), columns, plan, height, name, progress);
         }
     }
 
@@ -135,7 +137,7 @@ final class FieldSensors {
                 .toArray();
         Map<String, FieldProbe> others = new LinkedHashMap<>(probes);
         others.remove(sensor);
-        List<SensorLayer> rest = new ArrayList<>(layers);
+        List<SensorLayer> rest = new ArrayList<>(List.of(layers));
         rest.remove(index);
         return new FieldSensors(
                 IntStream.of(kept).mapToObj(courses::get).toList(),
@@ -180,21 +182,26 @@ final class FieldSensors {
 
     /** Whether all assessments of a cell are the same on all courses. */
     boolean areSameOnAllCourses(int height, int column, int row) {
-        return layers.stream().allMatch(layer -> layer.isSameOnAllCourses(height, column, row));
+        for (SensorLayer layer : layers) {
+            if (!layer.isSameOnAllCourses(height, column, row)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** As {@link DetectionField#step}. */
     int step(int sensor, int height, int column, int row, int course) {
-        return layers.get(sensor).step(height, column, row, inLayers[course]);
+        return layers[sensor].step(height, column, row, inLayers[course]);
     }
 
     /** As {@link DetectionField#cause}. */
     Cause cause(int sensor, int height, int column, int row, int course) {
-        return layers.get(sensor).cause(height, column, row, inLayers[course]);
+        return layers[sensor].cause(height, column, row, inLayers[course]);
     }
 
     /** As {@link DetectionField#margin}. */
     Margin margin(int sensor, int height, int column, int row, int course) {
-        return layers.get(sensor).margin(height, column, row, inLayers[course]);
+        return layers[sensor].margin(height, column, row, inLayers[course]);
     }
 }

@@ -1,8 +1,11 @@
 package org.dronewatch.report.coverage;
 
 import java.awt.Color;
+import java.util.EnumMap;
+import java.util.Map;
 import org.dronewatch.report.sheet.ColourMix;
 import org.dronewatch.report.sheet.MapSheet;
+import org.dronewatch.report.sheet.Tint;
 import org.dronewatch.sensor.Cause;
 
 /**
@@ -40,6 +43,14 @@ public final class CauseFills {
     /** A cell in which a sensor detects the drone, but not with the probability, or within the time, asked for. */
     static final MapSheet.Fill TOO_RARELY = lined(LIGHT_BLUE, (u, v) -> (u + v) % PERIOD < 2);
 
+    private static final Map<Cause, MapSheet.Fill> FILLS = new EnumMap<>(Cause.class);
+
+    static {
+        for (Cause cause : Cause.values()) {
+            FILLS.put(cause, made(cause));
+        }
+    }
+
     private CauseFills() {}
 
     /** The plain colour of a cause, without its pattern. */
@@ -70,7 +81,12 @@ public final class CauseFills {
         return ColourMix.of(LIGHT_BLUE, Color.BLACK, 0.3);
     }
 
+    /** The colour of a cause with its pattern. */
     static MapSheet.Fill of(Cause cause) {
+        return FILLS.get(cause);
+    }
+
+    private static MapSheet.Fill made(Cause cause) {
         return switch (cause) {
             case UNKNOWN -> (u, v, ground) -> ColourMix.of(ground, (u + v) / 5 % 2 == 0 ? GREY : Color.WHITE, 0.75);
             case OUT_OF_RANGE -> lined(GREY, CauseFills::isPlus);
@@ -104,9 +120,8 @@ public final class CauseFills {
     }
 
     private static MapSheet.Fill lined(Color colour, Pattern pattern) {
-        Color line = ColourMix.of(colour, Color.BLACK, 0.45);
-        return (u, v, ground) -> pattern.isLine(u, v)
-                ? ColourMix.of(ground, line, LINE_STRENGTH)
-                : ColourMix.of(ground, colour, STRENGTH);
+        Tint line = new Tint(ColourMix.of(colour, Color.BLACK, 0.45), LINE_STRENGTH);
+        Tint between = new Tint(colour, STRENGTH);
+        return (u, v, ground) -> (pattern.isLine(u, v) ? line : between).over(ground);
     }
 }

@@ -51,7 +51,10 @@ final class CoverageDrafting implements AutoCloseable {
             Set<String> off,
             SceneSettings moved,
             Consumer<CoverageSkinning.Shown> target) {
-        thread.ask(outdated -> new Drawing(before, height, off, moved, target, outdated).draw());
+        thread.ask(outdated -> {
+            RemainingCoverage former = RemainingCoverage.of(before.all(), before.without(off), height);
+            new Drawing(before, former, off, moved, target, outdated).draw();
+        });
     }
 
     /** No sensor is displaced any longer. */
@@ -71,13 +74,13 @@ final class CoverageDrafting implements AutoCloseable {
     /** The pictures of one layout. */
     private record Drawing(
             ViewedCoverage before,
-            int height,
+            RemainingCoverage former,
             Set<String> off,
             SceneSettings moved,
             Consumer<CoverageSkinning.Shown> target,
             BooleanSupplier outdated) {
         void draw() {
-            FieldDraft draft = new FieldDraft(before.request(), before.all().field(), height, moved);
+            FieldDraft draft = new FieldDraft(before.request(), before.all().field(), former.height(), moved);
             long start = System.nanoTime();
             draft.begin();
             double each = seconds(start) / Math.max(1, draft.assessed());
@@ -118,7 +121,7 @@ final class CoverageDrafting implements AutoCloseable {
                     ? MoveWords.Fineness.COMPLETE
                     : draft.isFine() ? MoveWords.Fineness.FINE : MoveWords.Fineness.COARSE;
             String words = MoveWords.sentence(
-                    RemainingCoverage.of(before.all(), before.without(off), height),
+                    former,
                     remaining,
                     off,
                     FieldDraft.movedSensors(before.all().field(), moved),
