@@ -1,14 +1,17 @@
 package org.dronewatch.viewer;
 
 import java.awt.Insets;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import org.dronewatch.analysis.layer.LayerStore;
+import org.dronewatch.render.SiteSkin;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.viewer.beside.ComparisonPanel;
 import org.dronewatch.viewer.coverage.CoveragePanel;
+import org.dronewatch.viewer.coverage.SkinPainter;
 import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.Playback;
 import org.dronewatch.viewer.run.SensorLayout;
@@ -33,6 +36,19 @@ final class RunTabs extends JTabbedPane {
     private final LogPanel log = new LogPanel();
     private final ComparisonPanel comparison;
 
+    /** The coverage as a skin of the site. */
+    private record WorldSkin(WorldPanel world) implements SkinPainter {
+        @Override
+        public void setSkin(Optional<SiteSkin> skin) {
+            world.setStyle(world.style().withSkin(skin));
+        }
+
+        @Override
+        public boolean isPainting() {
+            return !world.isIdle();
+        }
+    }
+
     /**
      * Empty tabs.
      *
@@ -56,8 +72,7 @@ final class RunTabs extends JTabbedPane {
         this.tables = new RunTablesPanel(selection);
         this.rayPanel = new RayPanel(
                 threads, playback, filter -> world.setStyle(world.style().withFilter(filter)), failed);
-        this.coverage = new CoveragePanel(
-                threads, layout, stores, skin -> world.setStyle(world.style().withSkin(skin)), failed);
+        this.coverage = new CoveragePanel(threads, layout, stores, new WorldSkin(world), failed);
         this.placing = new PlacingPanel(layout, coverage, selection);
         this.settings = new SettingsPanel(layout, messages);
         this.comparison = new ComparisonPanel(selection);

@@ -274,7 +274,7 @@ final class WorldPanel extends JPanel {
         return image;
     }
 
-    /** Whether everything that was requested is drawn. */
+    /** Whether everything that was requested is drawn; from any thread. */
     boolean isIdle() {
         return !rest.isRunning() && renderer.isIdle();
     }

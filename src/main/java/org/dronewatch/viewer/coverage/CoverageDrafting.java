@@ -2,6 +2,8 @@ package org.dronewatch.viewer.coverage;
 
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
@@ -20,19 +22,28 @@ final class CoverageDrafting implements AutoCloseable {
     private static final double FIRST = 0.02;
 
     /** The least time between two pictures of the same layout, s. */
-    private static final double PAUSE = 0.2;
+    private static final double PAUSE = 0.3;
+
+    /** The first picture has the cores to itself while it is painted, but not for longer than this, s. */
+    private static final double PAINTING = 0.1;
 
     private static final double NANO = 1e-9;
 
+    /** Between two queries whether the picture is painted, ns. */
+    private static final long POLL = 500_000;
+
     private final Latest thread;
+    private final BooleanSupplier isPainting;
 
     /**
      * Nothing is drawn.
      *
      * @param threads how many may help
+     * @param isPainting whether a picture is being painted, from any thread
      * @param failed receives what went wrong
      */
-    CoverageDrafting(int threads, Consumer<Throwable> failed) {
+    CoverageDrafting(int threads, BooleanSupplier isPainting, Consumer<Throwable> failed) {
+        this.isPainting = isPainting;
         this.thread = new Latest("dronewatch-draft", threads, failed);
     }
 
@@ -53,7 +64,7 @@ final class CoverageDrafting implements AutoCloseable {
             Consumer<CoverageSkinning.Shown> target) {
         thread.ask(outdated -> {
             RemainingCoverage former = RemainingCoverage.of(before.all(), before.without(off), height);
-            new Drawing(before, former, off, moved, target, outdated).draw();
+            new Drawing(before, former, off, moved, target, isPainting, outdated).draw();
         });
     }
 
@@ -78,6 +89,7 @@ final class CoverageDrafting implements AutoCloseable {
             Set<String> off,
             SceneSettings moved,
             Consumer<CoverageSkinning.Shown> target,
+            BooleanSupplier isPainting,
             BooleanSupplier outdated) {
         void draw() {
             FieldDraft draft = new FieldDraft(before.request(), before.all().field(), former.height(), moved);
@@ -87,13 +99,22 @@ final class CoverageDrafting implements AutoCloseable {
             while (!draft.isFine() && seconds(start) + each * draft.next() < FIRST) {
                 draft.refine(() -> false);
             }
-            publish(draft);
+            awaitPainted(publish(draft));
             refine(draft);
             if (!outdated.getAsBoolean()) {
                 draft.complete(outdated);
             }
             if (draft.isComplete()) {
                 publish(draft);
+            }
+        }
+
+        private void awaitPainted(AtomicBoolean isTaken) {
+            long since = System.nanoTime();
+            while (!outdated.getAsBoolean()
+                    && (!isTaken.get() || isPainting.getAsBoolean())
+                    && seconds(since) < PAINTING) {
+                LockSupport.parkNanos(POLL);
             }
         }
 
@@ -114,7 +135,8 @@ final class CoverageDrafting implements AutoCloseable {
             }
         }
 
-        private void publish(FieldDraft draft) {
+        /** Hands a picture to the target; what is returned becomes true once it has been accepted. */
+        private AtomicBoolean publish(FieldDraft draft) {
             ViewedCoverage now = new ViewedCoverage(draft.request(before.request(), moved), draft.field());
             RemainingCoverage remaining = RemainingCoverage.of(now.all(), now.without(off), 0);
             MoveWords.Fineness fineness = draft.isComplete()
@@ -128,7 +150,12 @@ final class CoverageDrafting implements AutoCloseable {
                     fineness,
                     draft.reduced());
             CoverageSkinning.Shown shown = CoverageSkinning.Shown.of(now, off, remaining, words, Optional.of(fineness));
-            SwingUtilities.invokeLater(() -> target.accept(shown));
+            AtomicBoolean isTaken = new AtomicBoolean();
+            SwingUtilities.invokeLater(() -> {
+                target.accept(shown);
+                isTaken.set(true);
+            });
+            return isTaken;
         }
 
         private static double seconds(long since) {

@@ -13,7 +13,6 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.render.SiteSkin;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.viewer.part.Scaled;
@@ -41,7 +40,7 @@ public final class CoveragePanel extends JPanel {
     private final transient CoveragePictures pictures;
     private final transient SensorLayout layout;
     private final transient PointedCell pointed;
-    private final transient Consumer<Optional<SiteSkin>> skinChosen;
+    private final transient SkinPainter painter;
     private transient ViewedRun run;
     private transient ViewedCoverage coverage;
     private transient Optional<CoverageSkinning.Shown> shown = Optional.empty();
@@ -55,20 +54,20 @@ public final class CoveragePanel extends JPanel {
      * @param threads how many compute
      * @param layout where the user has put the sensors
      * @param stores gives the store of what was computed before
-     * @param skinChosen receives the skin that is to be drawn
+     * @param painter paints the skin
      * @param failed receives what went wrong
      */
     public CoveragePanel(
             int threads,
             SensorLayout layout,
             Function<SceneSettings, LayerStore> stores,
-            Consumer<Optional<SiteSkin>> skinChosen,
+            SkinPainter painter,
             Consumer<Throwable> failed) {
         super(new BorderLayout(Scaled.px(8), 0));
-        this.skinChosen = skinChosen;
+        this.painter = painter;
         this.computing = new CoverageComputing(threads, stores, failed);
         this.layout = layout;
-        this.pictures = new CoveragePictures(threads, failed);
+        this.pictures = new CoveragePictures(threads, painter::isPainting, failed);
         layout.listen(this::update);
         this.pointed = new PointedCell(this::describe, failed);
         button.setToolTipText("Computes where the sensors detect the drone, and why they do not elsewhere");
@@ -213,7 +212,7 @@ public final class CoveragePanel extends JPanel {
     }
 
     private void choose() {
-        skinChosen.accept(heights.isShown() ? shown.map(CoverageSkinning.Shown::skin) : Optional.empty());
+        painter.setSkin(heights.isShown() ? shown.map(CoverageSkinning.Shown::skin) : Optional.empty());
     }
 
     /** Shows or hides the skin. */

@@ -1,6 +1,7 @@
 package org.dronewatch.viewer.coverage;
 
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.dronewatch.scenario.SceneSettings;
 
@@ -13,9 +14,9 @@ final class CoveragePictures implements AutoCloseable {
     /** What is to be shown. */
     private record View(ViewedCoverage coverage, int height, Set<String> off, boolean isDraft) {}
 
-    CoveragePictures(int threads, Consumer<Throwable> failed) {
+    CoveragePictures(int threads, BooleanSupplier isPainting, Consumer<Throwable> failed) {
         this.skinning = new CoverageSkinning(threads, failed);
-        this.drafting = new CoverageDrafting(threads, failed);
+        this.drafting = new CoverageDrafting(threads, isPainting, failed);
     }
 
     /**

@@ -45,12 +45,24 @@ class CoveragePanelTest {
     private final AtomicReference<Optional<SiteSkin>> skin = new AtomicReference<>(Optional.empty());
     private final AtomicReference<Throwable> failure = new AtomicReference<>();
 
+    private final SkinPainter painter = new SkinPainter() {
+        @Override
+        public void setSkin(Optional<SiteSkin> next) {
+            skin.set(next);
+        }
+
+        @Override
+        public boolean isPainting() {
+            return false;
+        }
+    };
+
     @BeforeEach
     void open() throws Exception {
         site = FieldSite.in(directory, SENSORS);
         SensorLayout layout = new SensorLayout();
         layout.show(site.settings());
-        panel = onEventThread(() -> new CoveragePanel(2, layout, settings -> LayerStore.NONE, skin::set, failure::set));
+        panel = onEventThread(() -> new CoveragePanel(2, layout, settings -> LayerStore.NONE, painter, failure::set));
         RecordedRun run = new RecordedRun(new RunInfo(0, 1, site.settings()), site.stage());
         onEventThread(() -> {
             panel.show(new ViewedRun("boxes", run));
