@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.bvh.TracingIndex;
+import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.flight.Attitude;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.AABB;

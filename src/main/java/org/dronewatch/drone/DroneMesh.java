@@ -1,6 +1,7 @@
 package org.dronewatch.drone;
 
 import org.dronewatch.bvh.TracingIndex;
+import org.dronewatch.drone.silhouette.SilhouetteTable;
 
 /** The mesh of a drone in model space, and what is derived from it once it is needed. Thread-safe. */
 final class DroneMesh {

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.SilhouetteTable;
+import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.SightCone;
 import org.dronewatch.raster.TileTracer;

@@ -3,8 +3,8 @@ package org.dronewatch.sensor.optics;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntPredicate;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.SilhouetteMask;
-import org.dronewatch.drone.SilhouetteTable;
+import org.dronewatch.drone.silhouette.SilhouetteMask;
+import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.optics;
 
 import java.util.Arrays;
-import org.dronewatch.drone.SilhouetteMask;
-import org.dronewatch.drone.SilhouetteTable;
+import org.dronewatch.drone.silhouette.SilhouetteMask;
+import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**

@@ -2,8 +2,8 @@ package org.dronewatch.sensor.optics;
 
 import java.util.function.BooleanSupplier;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.SilhouetteMask;
-import org.dronewatch.drone.SilhouetteTable;
+import org.dronewatch.drone.silhouette.SilhouetteMask;
+import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.RayTracer;

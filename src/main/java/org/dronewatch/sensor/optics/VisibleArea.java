@@ -2,7 +2,7 @@ package org.dronewatch.sensor.optics;
 
 import java.util.function.DoublePredicate;
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.SilhouetteMask;
+import org.dronewatch.drone.silhouette.SilhouetteMask;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;

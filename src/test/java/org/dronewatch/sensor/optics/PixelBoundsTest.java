@@ -3,7 +3,7 @@ package org.dronewatch.sensor.optics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.dronewatch.drone.Drone;
-import org.dronewatch.drone.SilhouetteTable;
+import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Walls;
 import org.junit.jupiter.api.Test;

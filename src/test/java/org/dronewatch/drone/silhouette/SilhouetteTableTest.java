@@ -1,4 +1,4 @@
-package org.dronewatch.drone;
+package org.dronewatch.drone.silhouette;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

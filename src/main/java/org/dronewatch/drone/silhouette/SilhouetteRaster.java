@@ -1,4 +1,4 @@
-package org.dronewatch.drone;
+package org.dronewatch.drone.silhouette;
 
 import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
