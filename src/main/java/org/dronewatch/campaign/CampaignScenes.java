@@ -15,8 +15,8 @@ import org.dronewatch.scenes.SceneByName;
  */
 public record CampaignScenes(Function<String, Scene> byName, StorePlace store) {
     /**
-     * Packaged scenes and scene files, named in a campaign file; prepared sites are kept in the place of this process.
-     * Not classes by their names: no code is loaded from data.
+     * Packaged scenes and scene files, named in a campaign file; prepared sites are kept in the {@link
+     * StorePlace#ofProcess store of this process}. A class cannot be named, since no code is loaded from data.
      *
      * @param directory directory of the campaign file
      */
@@ -24,7 +24,7 @@ public record CampaignScenes(Function<String, Scene> byName, StorePlace store) {
         return of(name -> SceneByName.of(directory, name, "campaign file"));
     }
 
-    /** Scenes from elsewhere; prepared sites are kept in the place of this process. */
+    /** Scenes from elsewhere; prepared sites are kept in the {@link StorePlace#ofProcess store of this process}. */
     public static CampaignScenes of(Function<String, Scene> byName) {
         return new CampaignScenes(byName, StorePlace.ofProcess());
     }

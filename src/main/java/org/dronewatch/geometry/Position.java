@@ -97,7 +97,10 @@ public record Position(
         return minus(other).length();
     }
 
-    /** As generated for a record, whose code the compiler takes long to translate: positions are compared often. */
+    /**
+     * The same as the method generated for a record. Written out because positions are compared often, and the JIT
+     * compiler takes long to compile the generated one.
+     */
     @Override
     public boolean equals(Object other) {
         return other instanceof Position that

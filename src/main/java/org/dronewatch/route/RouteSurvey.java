@@ -90,7 +90,7 @@ public record RouteSurvey(
         return new RouteSurvey(flown, modes, target, response, isComplete && isWhole);
     }
 
-    /** Whether it is known of any route how probable it is that an alert comes in time. */
+    /** Whether the probability of an alert in time is known for any route. */
     public boolean isAlertKnown() {
         return routes.stream().anyMatch(route -> route.alertInTime().isPresent());
     }

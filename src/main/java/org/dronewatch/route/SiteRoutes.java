@@ -163,15 +163,16 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches once more, for the routes that are least exposed all the way. Where only detections in time count, the
-     * drone hurries from the point on from which they come too late, although it might stay undetected on a slower way.
+     * Searches once more, for the routes that are least exposed all the way. In the other searches, only detections in time
+     * count: from the point after which they come too late, the drone takes the fastest way, although it might stay
+     * undetected on a slower one.
      *
      * @param routes the weakest routes so far, by sector: those of this search may join them
      * @param sectors for which to search, among those of the routes
      * @param more what else the drone is exposed to; it does not count in the exposure of the result
-     * @return by sector, the weakest route of this search, with the exposure as far as a detection counts; where it is
-     *     too long, it is hastened where that costs the least, and also where it costs no detection in time. Sectors
-     *     without a route that is short enough have none
+     * @return by sector, the weakest route of this search, with the exposure as far as a detection counts; if it takes
+     *     too long, faster versions of it instead: one is flown faster where that costs the least exposure, the other
+     *     first of all where a detection comes too late. Empty for sectors without a route that is short enough
      */
     public Map<Integer, List<WeakestRoute>> throughout(
             Map<Integer, WeakestRoute> routes, Set<Integer> sectors, ExposureField more) {

@@ -100,7 +100,7 @@ public final class SceneRunner {
     }
 
     /**
-     * Sets where prepared sites are kept, which never changes results; the {@link StorePlace#ofProcess() place of the
+     * Sets where prepared sites are kept, which never changes results; in the {@link StorePlace#ofProcess store of this
      * process} unless set. To be called before anything is loaded.
      */
     public SceneRunner store(StorePlace place) {

@@ -16,12 +16,12 @@ public record ProbabilityResolution(double high, boolean isSideOnly) {
         }
     }
 
-    /** Tells all probabilities below a high one apart; those from it upwards count as equal. */
+    /** Distinguishes all probabilities below a high one; that one and those above it count as equal. */
     public static ProbabilityResolution upTo(double high) {
         return new ProbabilityResolution(high, false);
     }
 
-    /** Only on which side of a boundary a probability lies; the boundary itself is on the upper side. */
+    /** Distinguishes only the two sides of a boundary; the boundary itself is on the upper side. */
     public static ProbabilityResolution sideOf(double boundary) {
         return new ProbabilityResolution(boundary, true);
     }

@@ -107,7 +107,7 @@ public final class CameraVisual extends JPanel {
         return eye;
     }
 
-    /** Receives a description of the pixel under the pointer. */
+    /** Sets what receives a description of the pixel under the pointer. */
     void onHint(Consumer<String> target) {
         hint = target;
     }

@@ -121,12 +121,12 @@ final class PlacingPanel extends JPanel {
         update();
     }
 
-    /** Receives one line about each move. */
+    /** Sets what receives a line about each move. */
     void onTold(Consumer<String> target) {
         messages = target;
     }
 
-    /** Called to save the scene. */
+    /** Sets what saves the scene. */
     void onSave(Runnable target) {
         saving = target;
     }

@@ -83,7 +83,7 @@ final class RayPanel extends JPanel {
         return row;
     }
 
-    /** Is given the rays to draw. */
+    /** Sets what receives the rays to draw. */
     void onTraced(Consumer<Optional<RecordedRays>> target) {
         traced = target;
     }

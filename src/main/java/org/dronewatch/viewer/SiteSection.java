@@ -48,7 +48,7 @@ final class SiteSection extends JPanel {
         add(views, BorderLayout.CENTER);
     }
 
-    /** Called to look at the selection. */
+    /** Sets what turns the view to the selection. */
     void onFocus(Runnable target) {
         focus = target;
     }

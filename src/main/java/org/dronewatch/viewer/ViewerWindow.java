@@ -108,7 +108,7 @@ final class ViewerWindow {
         frame.setContentPane(pane);
     }
 
-    /** Runs the scene with its sensors as they are now; what is in no file then is in none afterwards, either. */
+    /** Runs the scene with its sensors as they are now; changes that are unsaved remain so. */
     private void runAgain(Scene scene, SceneOpening scenes) {
         SensorLayout sensors = pane.placing().layoutOfSensors();
         Scene changed = new GivenScene(scene.name(), scene.directory(), sensors.settings());

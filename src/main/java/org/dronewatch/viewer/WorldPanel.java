@@ -89,22 +89,22 @@ final class WorldPanel extends JPanel {
         });
     }
 
-    /** Receives the sensor or drone that was clicked on. */
+    /** Sets what receives the sensor or drone that was clicked on. */
     void onSelection(Consumer<String> target) {
         selection = target;
     }
 
-    /** Receives a description of the object under the pointer. */
+    /** Sets what receives a description of the object under the pointer. */
     void onHint(Consumer<String> target) {
         hint = target;
     }
 
-    /** Receives the point of the site under the pointer; empty for the sky. */
+    /** Sets what receives the point of the site under the pointer; empty for the sky. */
     void onPointed(Consumer<Optional<Position>> target) {
         pointed = target;
     }
 
-    /** Called whenever viewpoint, cut or style have been set. */
+    /** Sets what is run whenever the viewpoint, the cut or the style has been set. */
     void onViewChanged(Runnable target) {
         viewChanged = target;
     }

@@ -7,7 +7,7 @@ package org.dronewatch.analysis.cell;
  * a minute, with 1/4,000 only one in seven.
  */
 public final class ProbabilityStep {
-    /** The step that represents 1 alone; 0 represents 0 alone. */
+    /** The step that represents only 1; 0 represents only 0. */
     public static final int CERTAIN = 255;
 
     private static final int EVEN = 250;

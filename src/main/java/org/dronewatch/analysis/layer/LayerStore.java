@@ -98,7 +98,8 @@ public final class LayerStore {
      * the calling thread; empty if each cell is assessed.
      *
      * @param plan where the columns are
-     * @param progress receives the number of cells that the {@link SurveyProgress survey} counts as, in all
+     * @param progress receives the number of cells done since the last call; in all, as many as the {@link
+     *     SurveyProgress survey} counts for
      */
     public Optional<ExcessMap> excess(FieldProbe probe, FieldColumns columns, String plan, IntConsumer progress) {
         SurveyProgress whole = SurveyProgress.of(probe, columns, progress);

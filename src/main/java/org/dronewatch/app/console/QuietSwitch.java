@@ -1,7 +1,7 @@
 package org.dronewatch.app.console;
 
-/** What users may ask to print results, warnings and errors only. */
+/** A command with a switch that limits what is printed to results, warnings and errors. */
 public interface QuietSwitch {
-    /** Whether they have asked. */
+    /** Whether the user has set it. */
     boolean isQuiet();
 }

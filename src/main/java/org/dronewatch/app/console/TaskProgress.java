@@ -41,7 +41,7 @@ public record TaskProgress(Amount amount, PrintWriter err) {
     }
 
     /**
-     * Does a task that reports how many steps it has done since the last time, from any thread.
+     * Runs a task that reports how many steps it has done since the last time, from any thread.
      *
      * @param steps their approximate number
      */
@@ -75,7 +75,7 @@ public record TaskProgress(Amount amount, PrintWriter err) {
         }
     }
 
-    /** Does a task of an unknown number of steps, which reports how many it has done since the last time. */
+    /** Runs a task of an unknown number of steps, which reports how many it has done since the last time. */
     public <T> T during(String task, Function<IntConsumer, T> work) {
         return during(task, UNKNOWN, work);
     }

@@ -21,7 +21,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** A scene by its name, and what to change in it; where the name stands on the command line is for others to say. */
+/** A scene by its name, and what to change in it; subclasses define where on the command line the name is given. */
 public abstract class ChosenScene {
     static final String DESCRIPTION =
             "A packaged scene (see 'list'), a scene file in YAML, or a class that extends Scene.";

@@ -5,7 +5,7 @@ import org.dronewatch.render.photo.ColourCamera;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Option;
 
-/** The options of {@code render} for the picture of a camera in colour. */
+/** The options of {@code render} for a colour picture as taken by a camera. */
 public final class ColourOptions {
     @Option(
             names = "--colour",

@@ -5,7 +5,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Option;
 
-/** The option of commands that place one drone of the scene where they ask for it. */
+/** The option {@code --drone}, for commands that put one drone of the scene at places of their own choosing. */
 public final class DroneOption {
     @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
     private String drone;

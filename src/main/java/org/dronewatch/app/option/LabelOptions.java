@@ -9,7 +9,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Option;
 
-/** The options of {@code run} for labelled pictures of cameras. */
+/** The options of {@code run} for labelled pictures taken by cameras. */
 public final class LabelOptions {
     private static final String LABELS = "--labels";
 

@@ -48,7 +48,10 @@ public final class CameraRendering extends Rendering {
         }
     }
 
-    /** A camera on a positioner shows its last look; one on a fixed mount any time, without a simulation. */
+    /**
+     * Draws the last look of a camera on a positioner, or the view from a fixed mount at any time. Without a positioner
+     * or a steered drone, no simulation is needed.
+     */
     @Override
     public String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
         boolean turns = Mounted.positioner(camera).isPresent();

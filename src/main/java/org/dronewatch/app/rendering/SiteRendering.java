@@ -42,7 +42,7 @@ public final class SiteRendering extends Rendering {
         }
     }
 
-    /** Without detections: a scene without positioners is not simulated for a picture. */
+    /** Draws no detections, so that a scene without positioners or steered drones need not be simulated. */
     @Override
     public String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
         boolean turns = settings.sensors().values().stream()

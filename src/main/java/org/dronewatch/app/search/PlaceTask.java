@@ -81,7 +81,7 @@ public record PlaceTask(
         }
     }
 
-    /** Does a part of the work that reports how many steps it has done since the last time. */
+    /** Runs a part of the work that reports how many steps it has done since the last time. */
     <T> T during(String part, long steps, Function<IntConsumer, T> work) {
         return shown.during(part, steps, work, interruption::happened);
     }

@@ -22,7 +22,7 @@ import org.dronewatch.setting.input.LinkOut;
  * of {@code coverage} with the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
- * @param weights by the name of a protected zone: how much each cell counts whose centre is in that zone, 0 to 1000.
+ * @param weights by the name of a protected zone: the weight of each cell whose centre is in that zone, 0 to 1000.
  *     All other cells have a weight of 1, and a cell that lies in several of these zones has the greatest of their
  *     weights. Only for the objective {@code coverage}
  * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by

@@ -32,7 +32,7 @@ public final class BuyingOrder {
     /**
      * An order by values that take long to compute.
      *
-     * @param most what a value does not exceed, which takes less time
+     * @param most an upper bound on a value, which takes less time to compute
      */
     public BuyingOrder(
             ToDoubleFunction<Integer> price,

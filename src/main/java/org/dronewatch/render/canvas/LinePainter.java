@@ -34,7 +34,7 @@ public final class LinePainter {
         this.bottom = canvas.height;
     }
 
-    /** Draws from now on only into the rows from the first up to the last, which is left out. */
+    /** Restricts what is drawn from now on to the rows from the first, inclusive, to the last, exclusive. */
     public void keepTo(int first, int last) {
         top = first;
         bottom = last;

@@ -51,7 +51,7 @@ public final class WatcherColours {
         return lines;
     }
 
-    /** Some names of sensors, or that there are none. */
+    /** The names of sensors, such as {@code radar, camera +3} for five of them; {@code not detected} for none. */
     public static String names(List<String> sensors) {
         if (sensors.isEmpty()) {
             return "not detected";

@@ -10,8 +10,8 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * How causes look on a map. The colours are from the palette of Okabe and Ito ("Color Universal Design", 2008), which
- * people with any kind of colour vision can tell apart; patterns tell them apart in black and white. Only what is
- * detected has no pattern: by its lightness, a shaded slope could be anything.
+ * people with any kind of colour vision can tell apart; patterns tell them apart in black and white. All but what
+ * is detected have one, since lightness alone does not identify a colour on a shaded slope.
  */
 public final class CauseFills {
     private static final Color LIGHT_BLUE = new Color(0x9fd3f2);

@@ -113,7 +113,7 @@ final class FrontWords {
         return " (" + before + (isFirst ? " without" : " before") + ", " + after + (isFirst ? " with)" : " now)");
     }
 
-    /** A fraction or probability in percent: 100.0 for all alone. */
+    /** A fraction or probability in percent: 100.0 only for all. */
     static String percent(double fraction) {
         if (fraction < 1.0 && PERCENT * fraction >= MOST_ROUNDED) {
             return ABOVE + "99.9 %";

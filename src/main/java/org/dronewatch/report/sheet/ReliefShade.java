@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
  * the land cover of a map; both are nearly grey, so that they are not taken for the colours of sensors.
  */
 public final class ReliefShade {
-    /** Where there is no ground: paler than any of it but roads, and no colour of theirs. */
+    /** Where there is no ground: paler than any ground except roads, which are paler still. */
     public static final Color NOTHING = new Color(0xeeeeee);
 
     private static final double[] LIGHT = {-0.48, 0.48, 0.734};

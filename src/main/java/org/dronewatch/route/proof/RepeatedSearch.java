@@ -18,9 +18,9 @@ import org.dronewatch.route.search.WeakestRoute;
  * The weakest routes of a site by the looks along them. First the looks along each route that the search has found are
  * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
  * search is repeated with {@link UnforeseenExposure what they have shown} added, and the looks along its routes are
- * assessed as well. Where drones are detected too late, so are those along the routes that are least exposed
- * {@linkplain SiteRoutes#throughout all the way}. From each sector, the weakest route is kept, in the order of {@link
- * RouteSurvey#weakestFirst}; in a tie, the one that was found first. For one thread at a time.
+ * assessed as well. Where drones are detected too late, the looks along the routes that are least exposed {@linkplain
+ * SiteRoutes#throughout all the way} are assessed, too. From each sector, the weakest route is kept, in the order of
+ * {@link RouteSurvey#weakestFirst}; in a tie, the one that was found first. For one thread at a time.
  */
 public final class RepeatedSearch {
     /** The greatest number of times that the search is repeated. */
@@ -63,16 +63,16 @@ public final class RepeatedSearch {
         }
     }
 
-    /** Whether drones are detected too late from a sector for which that was not yet avoided. */
+    /** Whether there is a sector from which drones are detected too late, and for which that was not yet avoided. */
     public boolean isTooLate() {
         return !detectedTooLate().isEmpty();
     }
 
     /**
      * Searches, for the sectors from which drones are detected too late, for the routes that are least exposed all the
-     * way, and assesses the looks along them: no more of them may be detected in time on these, but fewer in all. This
-     * search, too, is repeated with what the looks show added. Once for each sector; to be called again after the
-     * search for detections in time has been {@linkplain #repeat repeated}.
+     * way, and assesses the looks along them: it may be that no more drones are detected in time on these routes, but
+     * fewer in all. This search, too, is repeated with what the looks show added. It is made once for each sector; to
+     * be called again after the search for detections in time has been {@linkplain #repeat repeated}.
      *
      * @param progress receives 1 after each search, of at most one more than {@link #MOST}
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are

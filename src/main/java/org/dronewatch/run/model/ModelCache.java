@@ -68,7 +68,7 @@ public final class ModelCache {
     private double buildSeconds;
 
     /**
-     * An empty cache; prepared sites are kept in the place of this process.
+     * An empty cache; prepared sites are kept in the {@link StorePlace#ofProcess store of this process}.
      *
      * @param directory directory against which relative paths are resolved
      * @param notes receives a line for each file read, and each warning

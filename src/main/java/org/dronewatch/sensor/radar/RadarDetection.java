@@ -40,7 +40,7 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * The reading of noise that passes the threshold.
+     * The reading of noise that exceeds the threshold.
      *
      * @param excess its excess over the threshold, exponentially distributed with mean 1
      */

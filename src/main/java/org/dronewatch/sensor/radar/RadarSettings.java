@@ -57,7 +57,7 @@ import org.dronewatch.world.World;
  * @param clutter echoes from the ground and from rain that compete with those of drones; none by default. It needs a
  *     beam, whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a Doppler filter that rejects stationary echoes, in place of minSpeed; none by default
- * @param falseAlarms how often noise passes its threshold; unless set, the rate is unknown, and no false alarms are
+ * @param falseAlarms how often noise exceeds its threshold; unless set, the rate is unknown, and no false alarms are
  *     simulated
  */
 public record RadarSettings(

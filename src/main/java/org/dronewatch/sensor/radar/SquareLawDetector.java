@@ -95,7 +95,7 @@ final class SquareLawDetector {
     }
 
     /**
-     * Noise alone that passes the threshold, as a mean over the pulses in units of the mean noise of one, dB. Beyond
+     * Noise alone that exceeds the threshold, as a mean over the pulses in units of the mean noise of one, dB. Beyond
      * the threshold its distribution is exponential: exactly for one pulse, nearly for several, with the decay at the
      * threshold.
      *

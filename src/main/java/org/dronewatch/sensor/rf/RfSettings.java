@@ -322,7 +322,7 @@ public record RfSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} It is that of a signal that just passes the threshold. */
+    /** {@inheritDoc} It is that of a signal that just reaches the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(threshold, threshold, Quantity.LEVEL.unit());

@@ -117,7 +117,7 @@ public final class ComparisonPanel extends JPanel {
         }
     }
 
-    /** Called whenever the user has chosen another run, or whether it is shown beside this one. */
+    /** Sets what is run whenever another run is chosen, or is shown beside this one or no longer so. */
     public void onChange(Runnable target) {
         changed = target;
     }

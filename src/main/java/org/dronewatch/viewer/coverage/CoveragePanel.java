@@ -206,7 +206,7 @@ public final class CoveragePanel extends JPanel {
         changed.run();
     }
 
-    /** Called when another coverage is shown. */
+    /** Sets what is run when another coverage is shown. */
     public void onShown(Runnable target) {
         changed = target;
     }

@@ -4,7 +4,8 @@ import javax.swing.Action;
 import javax.swing.JMenuItem;
 
 /**
- * An entry of a menu whose key works at once: Swing's own holds up the event thread to show how the entry is pressed.
+ * A menu item whose keyboard shortcut takes effect at once: Swing's own item blocks the event thread while it shows
+ * itself pressed.
  */
 public final class QuickItem extends JMenuItem {
     private static final long serialVersionUID = 1L;

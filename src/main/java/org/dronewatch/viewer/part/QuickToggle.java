@@ -2,7 +2,7 @@ package org.dronewatch.viewer.part;
 
 import javax.swing.JCheckBoxMenuItem;
 
-/** An entry with a tick whose key works at once, as that of {@link QuickItem}. */
+/** A check-box menu item whose keyboard shortcut takes effect at once, as that of {@link QuickItem} does. */
 public final class QuickToggle extends JCheckBoxMenuItem {
     private static final long serialVersionUID = 1L;
 

@@ -7,8 +7,8 @@ import java.awt.Font;
 import javax.swing.UIManager;
 
 /**
- * Sizes on screens of any density. What the system scales is in the graphics that components paint with; what the user
- * scales, by a larger font or {@code -Dflatlaf.uiScale}, is here.
+ * Sizes on screens of any density. The graphics that components paint with already apply the scale factor of the
+ * system; this class applies that of the user, who may choose a larger font or set {@code -Dflatlaf.uiScale}.
  */
 public final class Scaled {
     private static final Font FALLBACK = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
@@ -25,7 +25,7 @@ public final class Scaled {
         return new Dimension(px(width), px(height));
     }
 
-    /** The user's factor alone. */
+    /** The user's scale factor, without that of the system. */
     public static double factor() {
         return UIScale.getUserScaleFactor();
     }

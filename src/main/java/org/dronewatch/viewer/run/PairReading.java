@@ -3,9 +3,9 @@ package org.dronewatch.viewer.run;
 import org.dronewatch.viewer.part.Texts;
 
 /**
- * A sensor's last measurement of a drone at some time.
+ * A sensor's last measurement of a drone up to some time.
  *
- * @param time when it did, seconds since the start of the run
+ * @param time when it was made, seconds since the start of the run
  * @param value measured value
  * @param threshold what the value must reach
  * @param unit of both

@@ -19,7 +19,7 @@ public final class Playback {
     private boolean playing;
     private double step = 0.1;
 
-    /** Is called whenever something has changed. */
+    /** Adds a listener that is run whenever something has changed. */
     public void listen(Runnable listener) {
         listeners.add(listener);
     }

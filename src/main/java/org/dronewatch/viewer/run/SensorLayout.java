@@ -29,7 +29,7 @@ public final class SensorLayout {
     /** As it was written to a file last, or as the scene has it. */
     private SceneSettings saved;
 
-    /** What the next run's layout was changed from, when that is in no file. */
+    /** The settings saved last, if those of the next run have not been saved; otherwise null. */
     private SceneSettings begin;
 
     /** Takes another run; nothing has been moved. */
@@ -41,7 +41,7 @@ public final class SensorLayout {
         undone.clear();
     }
 
-    /** Called whenever a sensor was moved, turned or changed otherwise. */
+    /** Adds a listener that is run whenever a sensor has been moved, turned or changed otherwise. */
     public void listen(Runnable listener) {
         listeners.add(listener);
     }
@@ -61,7 +61,7 @@ public final class SensorLayout {
         return saved;
     }
 
-    /** Makes the runs to come begin with changes that are in no file: those from other settings to their own. */
+    /** Sets the settings that were saved last: in later runs, sensors that differ from them have unsaved changes. */
     public void beginWith(SceneSettings inFile) {
         begin = inFile;
     }
@@ -71,7 +71,7 @@ public final class SensorLayout {
         saved = settings;
     }
 
-    /** The sensors whose changes are in no file: none if the layout is that of the scene. */
+    /** The sensors with unsaved changes: none if the layout is that of the scene. */
     public Set<String> unsaved() {
         return isThere() && !settings.sensors().equals(saved.sensors())
                 ? changedFrom(begin == null ? original : begin)

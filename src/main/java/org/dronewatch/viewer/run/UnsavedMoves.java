@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.function.Function;
 import javax.swing.JOptionPane;
 
-/** Asks the user before moves of sensors that are in no file are lost. For the event thread. */
+/** Asks the user before unsaved moves of sensors are lost. For the event thread. */
 public final class UnsavedMoves {
     private final SensorLayout layout;
     private final Runnable saving;

@@ -125,12 +125,12 @@ public final class SettingsPanel extends JPanel {
         }
     }
 
-    /** Called to save the scene. */
+    /** Sets what saves the scene. */
     public void onSave(Runnable target) {
         saving = target;
     }
 
-    /** Called to run the scene again. */
+    /** Sets what runs the scene again. */
     public void onRun(Runnable target) {
         running = Optional.of(target);
         update();

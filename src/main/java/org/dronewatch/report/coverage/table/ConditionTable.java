@@ -82,7 +82,7 @@ public final class ConditionTable {
                 .orElse("none");
     }
 
-    /** What is lost, of the cells that are known as it is: under the condition, fewer may be. */
+    /** What is lost, in % of the cells known in the scene as it is; under the condition, fewer may be known. */
     public static String lost(ConditionCoverage.Height height) {
         return height.knownAsItIs() == 0 ? "-" : CoverageTable.percent(height.lost(), height.knownAsItIs());
     }

@@ -85,7 +85,7 @@ public final class CoverageTable {
         };
     }
 
-    /** A fraction of cells: 100.0 for all of them alone, a dash for none. */
+    /** A fraction of cells: 100.0 only for all of them, a dash for none. */
     public static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
         if (cells == 0) {

@@ -78,7 +78,10 @@ public final class FieldTable {
         return height.unknown() == 0 ? "0" : CoverageTable.percent(height.unknown(), height.cells());
     }
 
-    /** On the worst heading, a radar that rejects low radial speeds detects nothing, wherever the drone is. */
+    /**
+     * Why cells are too slow on the worst heading, on which a radar that rejects low radial speeds detects nothing,
+     * wherever the drone is; empty if none are, or another heading counts.
+     */
     public static Optional<String> slownessInWords(Set<Cause> causes, CoverageInputs inputs) {
         return causes.contains(Cause.TOO_SLOW) && inputs.heading().equals("worst")
                 ? Optional.of("hovering, or flying across a radar's line of sight; what is detected on other headings"

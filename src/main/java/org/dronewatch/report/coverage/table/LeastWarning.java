@@ -10,7 +10,7 @@ import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.CompassPoint;
 
 /**
- * The least warning of some inbound flights, and all of them for which it reads the same.
+ * The least warning of some inbound flights, and all flights whose warning is written as the same time.
  *
  * @param time in words; empty where the drone arrives undetected
  * @param isFromStart whether it is a lower bound
@@ -36,7 +36,7 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
 
     /**
      * In words, the least warning from the bearings with one, such as {@code 12.4 s or more}, or {@code 12.4 s} if it
-     * is the only one; empty unless there are such bearings and others. The unit stays in the line of the number.
+     * is the only one; empty unless there are such bearings and others. No line breaks between number and unit.
      *
      * @param words writes a time, s
      */

@@ -55,7 +55,7 @@ final class MissWords {
                 .collect(Collectors.joining("; "));
     }
 
-    /** A fraction of cells: 100 % for all of them alone. */
+    /** A fraction of cells: 100 % only for all of them. */
     static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
         if (cells < of && percent >= MOST_ROUNDED) {

@@ -201,7 +201,7 @@ final class BackwardRay {
         }
     }
 
-    /** Goes through all faces that lie upon one another here, unless one of them reflects it. */
+    /** Goes through all faces that coincide here, unless one of them reflects it. */
     private void meetFaces(int triangle, int material, double cosine) {
         faces.find(triangle, material, ray);
         for (int i = 0; i < faces.count(); i++) {

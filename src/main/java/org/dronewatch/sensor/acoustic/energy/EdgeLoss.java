@@ -139,7 +139,7 @@ final class EdgeLoss {
         return 1.0 - weight(path.edges().bend());
     }
 
-    /** The fraction of the energy that the edges found last leave of the direct sound; 1 where none is near. */
+    /** The fraction of the energy of direct sound that gets past the edges found last; 1 where none is near. */
     double past(int band) {
         return past[band];
     }

@@ -81,8 +81,8 @@ final class EndSearch {
     private final Samples samplesOfSensor;
 
     /**
-     * The sensor as an end, among sheltered ends or not, by the fraction that walls leave of direct sound; found when
-     * it is first needed.
+     * The sensor as an end, among sheltered ends or not, by the fraction of direct sound that passes through walls;
+     * found when it is first needed.
      */
     private final Map<Boolean, Map<Double, End>> ofSensor = Map.of(true, new HashMap<>(), false, new HashMap<>());
 

@@ -39,8 +39,8 @@ final class RoughEstimate {
     }
 
     /**
-     * The fraction that walls leave of direct sound, rounded down to a power of ten, so that it is the same for many
-     * places; 1 where no direct sound arrives at all.
+     * The fraction of direct sound that passes through walls, rounded down to a power of ten, so that it is the same
+     * for many places; 1 where no direct sound arrives at all.
      */
     double through(Position source, Position sensor) {
         if (!anyTransmits

@@ -4,7 +4,7 @@ import org.dronewatch.world.Visibility;
 
 /**
  * Where walls meet, rounding decides on which side of the other walls a point in one of them lies, and where two
- * surfaces of one plane lie upon each other, which of them is met. This class tests points slightly away from there, or
+ * surfaces of one plane coincide, which of them is met. This class tests points slightly away from there, or
  * moved to the nearest point of a grid. One per thread.
  */
 final class Corners {
@@ -65,8 +65,8 @@ final class Corners {
     }
 
     /**
-     * Of several triangles that lie upon each other in one plane, the same one for all paths that are reflected at a
-     * point, from either end: rounding would make that a matter of the direction.
+     * Of several triangles that coincide in one plane, the same one for all paths that are reflected at a point, from
+     * either end: rounding would make that a matter of the direction.
      *
      * @param triangle one of them
      * @param wall the plane

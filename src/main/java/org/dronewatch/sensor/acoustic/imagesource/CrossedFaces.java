@@ -7,9 +7,9 @@ import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
 /**
- * The faces that lie upon one another where a path of sound meets one of them, by material: all are crossed at once.
- * The path leaves the solids that it is inside, and enters the others. Faces of a sheet that lie upon one another
- * count as one, and so do those of a solid if the path has entered it through as many. One per thread.
+ * The coincident faces where a path of sound meets one of them, by material: all are crossed at once. The path leaves
+ * the solids that it is inside, and enters the others. Coincident faces of a sheet count as one. So do those of a
+ * solid: all of them where the path enters it, and up to the same number where the path leaves it. One per thread.
  */
 public final class CrossedFaces {
     /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */

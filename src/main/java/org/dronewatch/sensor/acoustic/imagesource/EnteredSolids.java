@@ -12,7 +12,7 @@ public final class EnteredSolids {
 
     private int[] materials = new int[4];
 
-    /** The number of faces through which each was entered: several that lie upon one another belong to one solid. */
+    /** The number of faces through which each was entered: several that coincide belong to one solid. */
     private int[] faces = new int[4];
 
     private int count;
@@ -36,7 +36,7 @@ public final class EnteredSolids {
     /**
      * Enters a solid.
      *
-     * @param through the number of its faces that lie upon one another there, 1 or more
+     * @param through the number of its faces that coincide there, 1 or more
      */
     void enter(int material, int through) {
         if (count == materials.length) {

@@ -74,8 +74,8 @@ public final class ImageSourceSearch {
      * @param maxOrder maximum number of walls of an image source
      * @param behindWalls receives the image sources that rays find after they have passed through walls that transmit
      *     sound
-     * @param direct the fraction that walls leave of direct sound, above 0; rays of which walls leave much less are
-     *     abandoned
+     * @param direct the fraction of direct sound that passes through walls, above 0; rays of which much less passes
+     *     are abandoned
      */
     public ImageSourceCandidates from(
             Position from, int rays, int maxOrder, ImageSourceCandidates behindWalls, double direct) {

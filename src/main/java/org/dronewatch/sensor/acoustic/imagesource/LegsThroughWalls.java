@@ -96,8 +96,8 @@ final class LegsThroughWalls {
     }
 
     /**
-     * What the faces at a point reflect specularly, of the path as far as it has been followed: where several lie upon
-     * one another, each reflects what those before it transmit. A solid that the path is in does not reflect it back.
+     * What the faces at a point reflect specularly, of the path as far as it has been followed: where several
+     * coincide, each reflects what those before it transmit. A solid that the path is in does not reflect it back.
      *
      * @param triangle the first of the faces
      * @param atX of the point, m

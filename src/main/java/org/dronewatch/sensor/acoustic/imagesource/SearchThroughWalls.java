@@ -67,8 +67,8 @@ final class SearchThroughWalls {
      *
      * @param found receives the image sources, with the fraction of a ray's energy as their worth; it may be reduced
      *     further by walls to this fraction without losing worth
-     * @param direct the fraction that walls leave of direct sound, above 0: a ray that walls leave less than a
-     *     thousandth of that is abandoned
+     * @param direct the fraction of direct sound that passes through walls, above 0: a ray of which less than a
+     *     thousandth of that passes is abandoned
      */
     void start(ImageSourceCandidates found, double direct) {
         tree = found;

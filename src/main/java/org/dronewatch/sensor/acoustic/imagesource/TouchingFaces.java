@@ -12,7 +12,7 @@ import org.dronewatch.kdtree.EllipsoidQuery;
 import org.dronewatch.world.World;
 
 /**
- * Which triangles of a world lie upon one another, as where solids touch face to face: of those, a ray meets one only.
+ * Which triangles of a world coincide, as where solids touch face to face: of these, a ray meets only one.
  * Found for each triangle when it is first asked for. For any number of threads.
  */
 final class TouchingFaces {

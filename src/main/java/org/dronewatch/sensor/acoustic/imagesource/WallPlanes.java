@@ -133,7 +133,7 @@ public final class WallPlanes {
         return isOfSeveral;
     }
 
-    /** Whether the triangles in a plane are of several materials: some may lie upon others. */
+    /** Whether the triangles in a plane are of several materials: some may coincide. */
     public boolean isMixed(int wall) {
         return isMixed[wall];
     }
