@@ -5,8 +5,8 @@ import org.dronewatch.analysis.cell.ProbabilityStep;
 /**
  * The rate at which one sensor detects a drone with one motion at positions near the middle of one cell. If the sensor
  * rejects low radial speeds, the rate follows from the fraction of the drone's signal that passes in flight: it lies
- * between those of the two courses of the cell on which no more and no less passes; of several on which the same
- * fraction passes, that with the nearest heading is taken. For one thread.
+ * between the rates on two courses of the cell, one on which no more passes and one on which no less does; of several
+ * on which the same fraction passes, that with the nearest heading is taken. For one thread.
  */
 final class CellRate {
     /** A fraction below this counts like this one if more passes on the next course; as a power of ten. */

@@ -163,9 +163,9 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches once more, for the routes that are least exposed all the way. In the other searches, only detections in time
-     * count: from the point after which they come too late, the drone takes the fastest way, although it might stay
-     * undetected on a slower one.
+     * Searches once more, for the routes that are least exposed all the way. In the other searches, only detections in
+     * time count: from the point after which they come too late, the drone takes the fastest way, although it might
+     * stay undetected on a slower one.
      *
      * @param routes the weakest routes so far, by sector: those of this search may join them
      * @param sectors for which to search, among those of the routes
@@ -230,7 +230,7 @@ public final class SiteRoutes {
         return starts;
     }
 
-    /** The least exposure, with the price of time, over the nodes alone of the routes from a sector. */
+    /** The least exposure, with the price of time, of the routes from a sector that lead only over nodes. */
     double overNodes(int sector) {
         return starts(sector).stream().mapToDouble(routes::overNodes).min().orElse(Double.POSITIVE_INFINITY);
     }

@@ -10,7 +10,7 @@ import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The speeds at which a drone flies that wants to pass sensors which reject some radial speeds: a little below the
+ * The speeds at which a drone flies in order to pass sensors that reject some radial speeds: a little below the
  * greatest one at which at least 20 dB of its signal are rejected on every heading, and in the middle of the fastest
  * band that is rejected above it, in which a drone stays while it flies straight towards the sensor or away from it.
  */

@@ -13,8 +13,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Puts a system of sensors in the place of another system or of a single sensor, or a single sensor in that of a
- * system. Position and aim are kept; each part has a positioner as its system says.
+ * Replaces a system of sensors by another system or by a single sensor, or a single sensor by a system. Position and
+ * aim are kept; each part has a positioner as its system says.
  *
  * @param id what the scene calls the system, whose parts it calls {@code ID-radar} and so on, or the sensor
  * @param name what is put there

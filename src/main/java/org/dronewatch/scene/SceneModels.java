@@ -63,7 +63,7 @@ final class SceneModels {
         });
     }
 
-    /** Reads the models of the site alone, likewise. */
+    /** Reads only the models of the site, in the same way. */
     void loadSite(SceneSettings settings) {
         // First, because a site that is not where its files are does not load.
         settings.world().origin().ifPresent(origin -> new OriginAdvice(origin).giveTo(models::warn));

@@ -6,7 +6,7 @@ import java.awt.Component;
 import javax.swing.JTable;
 import javax.swing.table.DefaultTableCellRenderer;
 
-/** Draws the rows of pairs that detect on amber. */
+/** Gives an amber background to the rows of pairs in which the sensor detects the drone. */
 final class DetectionRenderer extends DefaultTableCellRenderer {
     private static final long serialVersionUID = 1L;
     private static final Color DETECTS = new Color(255, 190, 40, 90);

@@ -43,7 +43,7 @@ final class Measuring implements WorldTool, AutoCloseable {
     /**
      * Measures nothing yet.
      *
-     * @param places where the sensor or drone of a name is now, m
+     * @param places where the sensor or drone with a given name is now, m
      * @param status receives what is measured
      * @param log receives each reading
      * @param failed receives what went wrong

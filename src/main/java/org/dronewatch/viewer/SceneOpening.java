@@ -52,7 +52,7 @@ final class SceneOpening implements AutoCloseable {
         this.reading = new Latest("dronewatch-opening", 1, failed);
     }
 
-    /** Decides, before a file is opened by the user, whether the scene that is shown may be left. */
+    /** Sets what decides, before the user opens another scene, whether the one that is shown may be left. */
     void onLeaving(BooleanSupplier decision) {
         mayLeave = decision;
     }

@@ -15,8 +15,8 @@ import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.world.World;
 
 /**
- * Moves and turns one sensor of a {@link SensorLayout} at a time. What is not possible is said in one line, and changes
- * nothing. For the event thread.
+ * Moves and turns one sensor of a {@link SensorLayout} at a time. A move that is not possible changes nothing, and one
+ * line says why. For the event thread.
  */
 final class SensorMover {
     /** Positions are rounded to centimetres, directions to tenths of a degree: nothing is installed more precisely. */

@@ -64,7 +64,7 @@ final class ViewerActions {
         return action;
     }
 
-    /** A key alone. */
+    /** A key without modifiers. */
     static KeyStroke key(int code) {
         return KeyStroke.getKeyStroke(code, 0);
     }

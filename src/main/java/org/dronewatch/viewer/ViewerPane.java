@@ -110,7 +110,7 @@ final class ViewerPane extends JPanel {
         add(Divided.below(timeLine.scrolling(), status), BorderLayout.SOUTH);
     }
 
-    /** Where the sensor or drone of a name is now, m. */
+    /** Where the sensor or drone with a given name is now, m. */
     private Optional<Position> placeOf(String id) {
         return viewed().flatMap(run -> run.positionOf(id, layout.settings(), playback.time()));
     }

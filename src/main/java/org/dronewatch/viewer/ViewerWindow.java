@@ -168,7 +168,7 @@ final class ViewerWindow {
         timer.start();
     }
 
-    /** Sets the look of all windows to come. */
+    /** Sets the look and feel of all windows that are opened from now on. */
     static void setLook(boolean dark) {
         FlatLaf.registerCustomDefaultsSource(ViewerWindow.class.getPackageName());
         if (dark) {

@@ -109,12 +109,12 @@ final class WorldPanel extends JPanel {
         viewChanged = target;
     }
 
-    /** Takes what is moved by the mouse in place of the view. */
+    /** Sets what the mouse moves in place of the view. */
     void setGrip(WorldGrip other) {
         grip = other;
     }
 
-    /** Takes what receives clicks while it is on. */
+    /** Sets the tool that receives clicks while it is on. */
     void setTool(WorldTool other) {
         tool = other;
     }

@@ -3,9 +3,9 @@ package org.dronewatch.viewer;
 import java.awt.Graphics2D;
 import java.util.Optional;
 
-/** What receives clicks in place of the selection while it is on, and paints over the site. */
+/** A tool that receives clicks while it is on, so that they select nothing, and paints over the site. */
 interface WorldTool {
-    /** Is never on. */
+    /** A tool that is never on. */
     WorldTool NONE = new WorldTool() {
         @Override
         public boolean isOn() {

@@ -126,7 +126,7 @@ public final class FieldColumns {
         };
     }
 
-    /** The same columns with one of their levels alone. */
+    /** The same columns with only one of their levels. */
     public FieldColumns at(int level) {
         return new FieldColumns(this, level);
     }

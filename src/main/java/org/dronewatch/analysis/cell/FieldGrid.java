@@ -168,7 +168,7 @@ public record FieldGrid(
         return cell / columns();
     }
 
-    /** The same grid with its lowest heights alone. */
+    /** The same grid with only its lowest heights. */
     public FieldGrid lowest(int count) {
         return new FieldGrid(east, north, side, cell, heights.subList(0, count), area);
     }

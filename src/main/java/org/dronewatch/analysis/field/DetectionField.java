@@ -120,7 +120,7 @@ public final class DetectionField {
         return new DetectionField(grid.lowest(1), other, there, store);
     }
 
-    /** The field at one height alone, given by its number. */
+    /** The field at only one height, given by its number. */
     DetectionField atHeight(int height) {
         FieldGrid alone = new FieldGrid(
                 grid.east(),

@@ -93,7 +93,7 @@ final class FieldSensors {
         return new FieldSensors(courses, inLayers, Map.of(names.get(sensor), probe(sensor)), List.of(layers[sensor]));
     }
 
-    /** The same sensors at one height alone, given by its number: as many courses as in their layers. */
+    /** The same sensors at only one height, given by its number: as many courses as in their layers. */
     FieldSensors at(int height) {
         List<SensorLayer> there =
                 Arrays.stream(layers).map(layer -> layer.at(height)).toList();

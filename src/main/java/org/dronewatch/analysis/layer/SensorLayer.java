@@ -66,7 +66,7 @@ public final class SensorLayer {
         return layer;
     }
 
-    /** The layer of one height alone. */
+    /** The layer of only one height. */
     public SensorLayer at(int height) {
         SensorLayer alone = new SensorLayer(rows, 1);
         System.arraycopy(entries, height * rows, alone.entries, 0, rows);

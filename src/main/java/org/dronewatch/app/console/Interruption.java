@@ -83,7 +83,7 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
-    /** From now on the command only writes what it has and may finish: its thread is not interrupted again. */
+    /** Lets the command finish: from now on it only writes what it has, and its thread is not interrupted again. */
     public synchronized void letFinish() {
         finishing = true;
         if (happened) {

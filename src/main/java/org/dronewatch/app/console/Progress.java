@@ -25,7 +25,7 @@ public final class Progress implements SceneListener, AutoCloseable {
     }
 
     /**
-     * The progress of one run alone, up to a time.
+     * The progress of only one run, up to a time.
      *
      * @param only index of the run; negative for all runs
      * @param until simulated time at which it ends, s

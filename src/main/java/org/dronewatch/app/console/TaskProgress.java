@@ -35,7 +35,7 @@ public record TaskProgress(Amount amount, PrintWriter err) {
         return amount == Amount.NOTHING;
     }
 
-    /** Receives notes and warnings for the user, a line each. */
+    /** What receives notes and warnings for the user, a line each. */
     public Consumer<String> notes() {
         return Notes.to(err, isQuiet());
     }

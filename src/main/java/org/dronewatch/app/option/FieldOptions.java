@@ -100,7 +100,7 @@ public final class FieldOptions {
         return cells.area();
     }
 
-    /** On which terms the drone counts as detected. */
+    /** The terms on which the drone counts as detected. */
     public FieldTerms terms() {
         FieldTerms pointed = FieldTerms.ONE_LOOK.withPointing(turning());
         return within == null
@@ -162,7 +162,7 @@ public final class FieldOptions {
                 : word(HEADING, heading, FieldHeading.values(), "worst, best or inbound");
     }
 
-    /** Which of its courses counts. */
+    /** Which of the drone's courses counts. */
     public FieldCoverage.Choice choice() {
         return kind().choice();
     }

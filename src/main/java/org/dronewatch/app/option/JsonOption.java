@@ -42,7 +42,7 @@ public final class JsonOption {
     }
 
     /**
-     * As text in ASCII alone: what a program reads must not depend on the console's character set. The mapper is made
+     * As pure ASCII text: what a program reads must not depend on the console's character set. The mapper is made
      * here, since it takes a fifth of the time in which other commands start.
      */
     private static String json(ObjectNode object) {

@@ -21,7 +21,7 @@ public final class OptionalSceneChoice extends ChosenScene {
     /**
      * Whether a scene is named.
      *
-     * @throws InputException when none is, but settings are to be changed: those of which scene is not known
+     * @throws InputException when none is, but settings are to be changed: it is not known in which scene
      */
     public boolean isNamed() {
         if (name == null && hasOverrides()) {

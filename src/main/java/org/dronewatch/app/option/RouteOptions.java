@@ -86,7 +86,7 @@ public final class RouteOptions {
                     + " by default, all in which it can fly and that make a difference to a sensor.")
     private String modes;
 
-    /** Checks what can be checked before anything is loaded, and passes on the response. */
+    /** Checks what can be checked before anything is loaded, and passes the response time on to the runner. */
     public void apply(SceneRunner runner) {
         given();
         length("side", side);

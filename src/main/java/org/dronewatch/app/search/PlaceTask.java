@@ -63,8 +63,9 @@ public record PlaceTask(
     }
 
     /**
-     * To be called once candidates are assessed: a layout of those that are may then be found in spite of an
-     * interruption. Without one, a later interruption ends whatever is being done then, such as the attacks.
+     * To be called once candidates are assessed. If the assessment was interrupted, a layout of those candidates that
+     * were assessed is found nevertheless; otherwise, an interruption ends whatever is being done when it comes, such
+     * as the attacks.
      */
     void assessed() {
         if (interruption.happened()) {
@@ -86,12 +87,12 @@ public record PlaceTask(
         return shown.during(part, steps, work, interruption::happened);
     }
 
-    /** The layouts with what the time limit has left out of what else is stated of them, if that is what is missing. */
+    /** The layouts, marked as lacking a part of their figures if that is missing because the time is up. */
     <L extends PlacedLayout> BudgetFront<L> checked(BudgetFront<L> front, LeftOut part, boolean isMissing) {
         return isMissing && interruption.isOutOfTime() ? front.without(part, limits) : front;
     }
 
-    /** What lower budgets buy. Where no gap is allowed, what is printed alike is not the same. */
+    /** What lower budgets buy. Values that are printed alike count as equal only if a gap is allowed. */
     <L extends PlacedLayout> BudgetFront<L> front(CheaperLayouts<L> cheaper) {
         FrontSearch<L> search = limits.gap() == 0.0
                 ? new FrontSearch<>(cheaper)

@@ -43,7 +43,7 @@ final class RouteRows implements RowOracle {
                 .toList();
     }
 
-    /** Makes routes known that were found otherwise, in the scene as it is. */
+    /** Adds routes that were found in another way, in the scene as it is. */
     void learn(List<SectorRoute> found) {
         scenes.get(0).learn(found);
     }

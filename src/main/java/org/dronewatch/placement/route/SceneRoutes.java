@@ -120,7 +120,7 @@ final class SceneRoutes {
                 .reduce(WeakestRouteSearch.ENOUGH, Math::min);
     }
 
-    /** Makes routes known that were found otherwise, as those of repeated searches are. */
+    /** Adds routes that were found in another way, such as by repeated searches. */
     void learn(List<SectorRoute> found) {
         SiteRoutes any = site.orElseGet(() -> site(Set.of()));
         found.forEach(one -> learn(any, new DirectedRoute(one.sector(), condition, one.route())));

@@ -71,7 +71,7 @@ final class CellRows {
         return Arrays.copyOf(covering, covered);
     }
 
-    /** The field of some sensors alone on any courses. */
+    /** The field of only some sensors, on any courses. */
     DetectionField field(Map<String, SensorSettings<?>> sensors, List<Course> flown, IntConsumer progress) {
         FieldRequest request = new FieldRequest(
                 Layout.alone(scene, sensors),

@@ -23,8 +23,8 @@ public final class Layout {
     private Layout() {}
 
     /**
-     * A scene with some sensors. All others of the scene are switched off, so that those to which a sensor
-     * refers exist.
+     * A scene with some sensors. All others of the scene are switched off rather than removed, so that those to which
+     * a sensor refers still exist.
      *
      * @param sensors by their names
      */

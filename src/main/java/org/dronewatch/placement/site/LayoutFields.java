@@ -15,7 +15,7 @@ import org.dronewatch.sensor.SensorSettings;
  *
  * @param heading the heading that counts in a cell
  * @param layout coverage of the layout
- * @param settings the scene with the layout's sensors alone
+ * @param settings the scene with only the layout's sensors
  * @param present coverage of the scene's own sensors; empty if it has none
  */
 public record LayoutFields(

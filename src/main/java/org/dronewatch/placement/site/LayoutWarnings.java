@@ -14,7 +14,7 @@ import org.dronewatch.sensor.SensorSettings;
  * finds them.
  *
  * @param layout warnings of the layout
- * @param settings the scene with the layout's sensors alone
+ * @param settings the scene with only the layout's sensors
  * @param present warnings of the scene's own sensors; empty if it has none
  */
 public record LayoutWarnings(InboundWarnings layout, SceneSettings settings, Optional<InboundWarnings> present) {

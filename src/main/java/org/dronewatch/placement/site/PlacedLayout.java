@@ -43,7 +43,7 @@ public interface PlacedLayout {
     /** The value of a chosen sensor by itself; empty if it was not computed. */
     OptionalDouble alone(SiteCandidate sensor);
 
-    /** The value of some of its sensors alone; empty if it was not computed. */
+    /** The value of only some of its sensors; empty if it was not computed. */
     default OptionalDouble together(List<SiteCandidate> sensors) {
         return OptionalDouble.empty();
     }

@@ -3,7 +3,7 @@ package org.dronewatch.report.campaign;
 import java.util.List;
 import org.dronewatch.campaign.outcome.CampaignSummary;
 
-/** The variants of a campaign, compared in the report on something else. */
+/** Compares the variants of a campaign as a part of a report on something else. */
 public final class ComparedVariants {
     private final CampaignSummary summary;
     private final PairWords pairs;

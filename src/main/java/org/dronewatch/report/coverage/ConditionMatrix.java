@@ -21,8 +21,8 @@ import org.dronewatch.report.sheet.LegendText;
 
 /**
  * A picture of the coverage under several conditions: a column for each, a row for each height, the highest on top.
- * From dark for nothing to light for everything, so that it keeps its order in black and white and for people with any
- * kind of colour vision; the numbers are in the cells.
+ * Colours go from dark for nothing to light for everything, so that they keep their order in black and white and for
+ * people with any kind of colour vision; the numbers are in the cells.
  */
 final class ConditionMatrix {
     private static final Color NOTHING = new Color(0x2c4a86);

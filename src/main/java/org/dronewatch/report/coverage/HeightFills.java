@@ -7,7 +7,10 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.report.sheet.ColourMix;
 import org.dronewatch.report.sheet.MapSheet;
 
-/** How heights look on a map: from light to dark, so that they keep their order in black and white; lined if none. */
+/**
+ * How heights look on a map: from light to dark, so that they keep their order in black and white, and lined where
+ * there is none.
+ */
 final class HeightFills {
     private static final Color LOWEST = new Color(0xfff3c4);
     private static final Color HIGHEST = new Color(0x2c4a86);

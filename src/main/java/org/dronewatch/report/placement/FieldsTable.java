@@ -27,7 +27,7 @@ final class FieldsTable {
     /**
      * A table, and the largest gap of the layout in a sentence.
      *
-     * @param layout for which they are
+     * @param layout the layout with this coverage
      */
     static List<String> lines(LayoutFields fields, SitePlacement layout) {
         int fold = layout.plan().settings().conditions().fold();

@@ -38,7 +38,7 @@ public record FlownLayout(RouteInputs inputs, RouteResults results) {
         return "from the " + CompassPoint.of(route.bearing());
     }
 
-    /** A sentence of {@code route} whose advice names its options: here, these are settings of the airspace. */
+    /** A sentence of {@code route}, in which the options that it advises become settings of the airspace. */
     static String asSettings(String sentence) {
         return sentence.replaceAll("--(heights|side)\\b", "air.$1");
     }

@@ -12,8 +12,8 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What the search promises of a layout against the weakest route, held against what flights past it show, and past what
- * remains of it after a loss.
+ * What the search promises of a layout against the weakest route, compared with what is shown by flights past the
+ * layout, and by flights past what remains of it after a loss.
  *
  * @param best the layout
  * @param layout the routes past it, as flown; empty if they were not

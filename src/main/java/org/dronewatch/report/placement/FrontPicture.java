@@ -17,7 +17,7 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** What the best layouts are worth over what they cost, in steps, with the most that any layout could reach. */
+/** The value of the best layouts versus their cost, as steps, with the most that any layout could reach. */
 final class FrontPicture {
     private static final Color LAYOUTS = new Color(0x0072b2);
     private static final Color TODAY = new Color(0xd55e00);

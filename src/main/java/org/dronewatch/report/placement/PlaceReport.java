@@ -70,7 +70,7 @@ final class PlaceReport {
      * Writes the page.
      *
      * @param pictures by the names of their files
-     * @param layout the scene with the layout's sensors alone
+     * @param layout the scene with only the layout's sensors
      * @param again which commands give the figures again, in sentences
      * @param provenance origin of the results, as names and values
      */

@@ -39,8 +39,8 @@ public interface PlaceResults {
     PlaceMeasure measure();
 
     /**
-     * What the layout achieves by a closer look than that of the search, where it is less than the search promises, in
-     * a sentence; empty if it is not less, or there is no closer look.
+     * What the layout achieves by a closer assessment than that of the search, if that is less than the search
+     * promises, in a sentence; empty if it is not less, or there is no closer assessment.
      */
     default Optional<String> shortfall() {
         return Optional.empty();
@@ -54,7 +54,7 @@ public interface PlaceResults {
     /** The lines of the results: tables and sentences. */
     List<String> lines();
 
-    /** Which commands give these figures again from the scene of the layout, in sentences: if it has been written. */
+    /** Which commands give these figures again if the scene of the layout has been written, in sentences. */
     List<String> reproduction();
 
     /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */

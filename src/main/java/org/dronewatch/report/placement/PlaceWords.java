@@ -22,7 +22,7 @@ final class PlaceWords {
         this.measure = results.measure();
     }
 
-    /** What the layout achieves, how much better any could be, what less money buys, today, and after a loss. */
+    /** What the layout achieves, how much better any could be, and what there is today, for less, and after a loss. */
     String verdict() {
         if (best.chosen().isEmpty()) {
             return new PlaceTable(best, measure).nothing().orElse("No sensor that the budget allows covers anything.")

@@ -9,7 +9,7 @@ import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.report.route.RouteInputs;
 
-/** The options with which {@code route} searches past the scene of a layout in the same cells and on the same terms. */
+/** The options with which {@code route} searches the scene of a layout in the same cells and on the same terms. */
 final class SameRoute {
     private SameRoute() {}
 

@@ -38,7 +38,7 @@ public record RouteResults(
         proofs = Collections.unmodifiableMap(new LinkedHashMap<>(proofs));
     }
 
-    /** The route that is least exposed by the search alone, whatever the flights show; empty if none is flown. */
+    /** The route that is least exposed according to the search, whatever flights show; empty if all are of length 0. */
     public Optional<SectorRoute> leastExposed() {
         return found.stream()
                 .filter(one -> one.route().seconds() > 0.0)

@@ -44,7 +44,7 @@ public final class RouteScenes {
     /**
      * Writes them, or none of them.
      *
-     * @return why there are none, or which of several flights they have
+     * @return why none are written, or which of several flights each has; empty if there is nothing to say
      */
     Optional<String> write(RouteSurvey survey, Path target, OutputDirectory directory) throws IOException {
         Map<String, String> scenes = new LinkedHashMap<>();

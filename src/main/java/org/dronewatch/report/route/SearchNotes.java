@@ -13,8 +13,8 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.UnseenPlaces;
 
 /**
- * Where the search misjudges routes or may have missed others, why, and what to try. What it says of the detections
- * that count on a route, it says once.
+ * Where the search misjudges routes or may have missed others, why, and what to try. What concerns the detections that
+ * count on a route is said only once.
  */
 final class SearchNotes {
     /** An exposure that hardly matters, as in tables. */
@@ -118,8 +118,8 @@ final class SearchNotes {
     }
 
     /**
-     * The route that is least exposed by the search alone, if those of repeated searches have replaced it;
-     * empty if it is among those listed, or is printed like one of them.
+     * The route that is least exposed according to the search, if those of repeated searches have replaced it; empty
+     * if it is among those listed, or is printed like one of them.
      */
     Optional<String> replaced(RouteResults results) {
         List<String> listed = results.survey().routes().stream()
@@ -136,8 +136,8 @@ final class SearchNotes {
     }
 
     /**
-     * From which sectors less detected routes may exist, which smaller cells may show; empty if there are none but
-     * those of which a warning says so.
+     * From which sectors less detected routes may exist, which smaller cells may show; empty if there are none
+     * besides those of which a warning says so.
      */
     Optional<String> unproven(RouteSurvey survey) {
         double response = survey.response();
@@ -156,7 +156,7 @@ final class SearchNotes {
 
     /**
      * Why the columns of the search and of the flights differ where both agree on the detections in time; empty if they
-     * do not differ, or if it is warned that they differ on these, too.
+     * do not differ, or if a warning says that they differ on these, too.
      */
     List<String> tooLate(RouteSurvey survey) {
         List<String> notes = new ArrayList<>();

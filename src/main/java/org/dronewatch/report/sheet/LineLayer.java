@@ -4,8 +4,8 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 
 /**
- * The look of one of several lines that may lie on each other, drawn in their order: each is narrower than those below
- * it, so that all of them can be seen, and they differ even in black and white.
+ * The style of one of several lines that may coincide, drawn in their order: each is narrower than those below it, so
+ * that all of them can be seen, and they differ even in black and white.
  *
  * @param number of the line, from 0
  * @param of number of lines

@@ -33,7 +33,7 @@ final class PlainFlight {
      * Runs it on this thread alone, as the runs are shared among the threads: up to the first detection on the route
      * or, if alerts are asked for, up to the alert.
      *
-     * @param alerts if given, how an alert of any sensor alone is confirmed
+     * @param alerts if given, how an alert by any single sensor is confirmed
      */
     FlownRun fly(long seed, Optional<Confirmation> alerts) {
         try (Workers alone = new Workers(1)) {
@@ -62,7 +62,7 @@ final class PlainFlight {
         }
     }
 
-    /** Whether the looks of one time raise the alert: those of any sensor alone, so confirmed. */
+    /** Whether the looks of one time raise the alert: whether those of any single sensor confirm it. */
     private static boolean isAlert(
             List<Observation> observations, Map<String, ConfirmedLooks> confirmed, Confirmation confirmation) {
         Map<String, Boolean> looks = new LinkedHashMap<>();

@@ -8,8 +8,9 @@ import java.util.stream.IntStream;
  * How often looks that depend on their rays must be estimated for a proof. A single look near its threshold may decide
  * a whole flight, and its estimates are hits and misses, just as the runs are. Enough of them are made for the variance
  * of a prediction to be at most a quarter of that of the runs, and they are shared among the looks so that as few as
- * possible are needed (Neyman's allocation). What one estimate varies by is judged from the look's neighbours, too:
- * otherwise those whose first estimates show no detection, of many with few, would count as surely missed.
+ * possible are needed (Neyman's allocation). The variance of one estimate is judged from the look's neighbours, too:
+ * otherwise, of many looks that rarely detect the drone, those whose first estimates show no detection would count as
+ * certain misses.
  */
 final class ProofEstimates {
     /** The variance of the prediction as a fraction of that of the proportion of runs. */

@@ -63,8 +63,8 @@ public record RouteProof(
     }
 
     /**
-     * Whether a run is repeated as a plain run: one in each {@link #PLAIN}, further on each time, so that all
-     * moments at which a route begins have their turn.
+     * Whether a run is repeated as a plain run: one in each {@link #PLAIN} runs, each time one place later among
+     * them, so that all moments at which a route begins have their turn.
      */
     static boolean isPlain(int run) {
         return run % PLAIN == run / PLAIN % PLAIN;
@@ -122,7 +122,7 @@ public record RouteProof(
         return detection.flown();
     }
 
-    /** The prediction, which knows no cues, compared with the runs with cues; empty if there are none. */
+    /** The prediction, which does not allow for cues, compared with the runs with cues; empty if there are none. */
     public Optional<ProvenChance> withCues() {
         return cued.map(runs -> new ProvenChance(predicted(), detection.error(), runs));
     }

@@ -35,7 +35,7 @@ final class SeededFlights {
     /**
      * The run with this seed, up to its first detection.
      *
-     * @param alerts if given, it goes on up to its alert: that of any sensor alone, so confirmed
+     * @param alerts if given, how an alert by any single sensor is confirmed; the run then goes on up to its alert
      */
     FlownRun fly(long seed, Optional<Confirmation> alerts) {
         Arrays.fill(encounters, Encounters.NONE);

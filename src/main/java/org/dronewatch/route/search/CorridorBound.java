@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
  * given length from one point to another stays inside the prolate spheroid that has them as foci. It crosses each
  * slab at right angles to the straight line, and is in it at least as long as the slab is thick, so that its
  * exposure is at least the sum, over the slabs, of the thickness times the least exposure per metre in slab and
- * spheroid. Routes that begin, or end, within a ball are those from, or to, its center, with its radius added to
+ * spheroid. Routes that begin, or end, within a ball are those from, or to, its centre, with its radius added to
  * their length. The shorter the detour that the length allows, the tighter the bound.
  */
 final class CorridorBound {
@@ -94,11 +94,11 @@ final class CorridorBound {
     /**
      * A ball.
      *
-     * @param center its center, m
+     * @param center its centre, m
      * @param radius its radius, m
      */
     private record Ball(Position center, double radius) {
-        /** A ball round some nodes: its center is that of the box round them. */
+        /** A ball round some nodes: its centre is that of the box round them. */
         static Ball around(RouteGrid grid, BitSet nodes) {
             double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
             double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};

@@ -28,7 +28,7 @@ public final class JoinedRoutes {
     /**
      * The routes after they have joined others.
      *
-     * @param search in whose exposure they are compared
+     * @param search the search by whose exposure they are compared
      * @param routes as found by it
      * @param starts by route, the nodes at which it may begin instead
      * @param isAllowed whether a route may replace the one that has joined another

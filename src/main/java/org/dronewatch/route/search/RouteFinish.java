@@ -55,7 +55,7 @@ final class RouteFinish {
         return path;
     }
 
-    /** The part of a route on which a detection leaves the time of a response. */
+    /** The part of a route on which a detection leaves enough time for a response. */
     RoutePath counted(RoutePath route) {
         double left = Math.max(0.0, times.time(route) - response);
         for (int leg = 0; leg < route.modes().size(); leg++) {

@@ -267,7 +267,7 @@ public final class WeakestRoutes {
         return new TimeToGo(problem.grid(), least);
     }
 
-    /** The least exposure along a route over the nodes alone, before it is smoothed; infinite if there is no route. */
+    /** The least exposure along a route over the nodes, before it is smoothed; infinite if there is no route. */
     public double overNodes(int node) {
         return tree.cost(node);
     }

@@ -13,8 +13,8 @@ import java.util.stream.Collectors;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Puts the parts of a system in the place of its name: {@code gate: {use: SYSTEM, position: ...}} becomes
- * {@code gate-radar} and the like, each with what is written of the system, as far as it has such a setting.
+ * Replaces the name of a system by its parts: {@code gate: {use: SYSTEM, position: ...}} becomes {@code gate-radar} and
+ * the like, each with what is written of the system, as far as it has such a setting.
  */
 final class NamedGroups {
     private final Kinds kinds;

@@ -13,9 +13,9 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.viewer.settings.SettingRow;
 
-/** How the sensors of one run are set otherwise than those of another, in words. */
+/** How the settings of the sensors in one run differ from those in another, in words. */
 final class ChangedSettings {
-    /** More changes are counted only. */
+    /** Of further changes, only the number is given. */
     private static final int MOST = 5;
 
     private static final MathContext DIGITS = new MathContext(4);

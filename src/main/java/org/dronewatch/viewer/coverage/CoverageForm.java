@@ -31,7 +31,7 @@ import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.part.Texts;
 import org.dronewatch.world.World;
 
-/** The inputs of a coverage, with the same defaults as those of the command but for the {@link CoverageProposal}. */
+/** The inputs of a coverage, with the defaults of the command except for those of a {@link CoverageProposal}. */
 public final class CoverageForm extends JPanel {
     private static final long serialVersionUID = 1L;
 

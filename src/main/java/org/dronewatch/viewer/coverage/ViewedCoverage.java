@@ -23,7 +23,7 @@ public final class ViewedCoverage {
     /**
      * Evaluates a field.
      *
-     * @param field what was requested, perhaps its lowest heights alone
+     * @param field what was requested, perhaps only its lowest heights
      */
     ViewedCoverage(FieldRequest request, DetectionField field) {
         this.request = request;

@@ -70,7 +70,7 @@ final class SceneCard extends JPanel {
         add(text, BorderLayout.SOUTH);
     }
 
-    /** A summary as it is in lists, as a sentence. */
+    /** A summary, as lists show it, in the form of a sentence. */
     static String sentence(String summary) {
         return Character.toUpperCase(summary.charAt(0)) + summary.substring(1) + ".";
     }

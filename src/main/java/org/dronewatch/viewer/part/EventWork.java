@@ -9,7 +9,7 @@ public final class EventWork {
     private EventWork() {}
 
     /**
-     * Does something on the event thread, and waits until it is done; an interrupt ends the waiting.
+     * Runs something on the event thread, and waits until it is done; an interrupt ends the waiting.
      *
      * @throws RuntimeException what the work throws
      */

@@ -73,7 +73,7 @@ public final class ViewedRun {
     }
 
     /**
-     * Where a sensor or a drone of a name is at a time, m.
+     * Where the sensor or drone with a given name is at a time, m.
      *
      * @param layout the settings with the sensors where they are now
      */

@@ -22,7 +22,10 @@ import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.part.WrappedText;
 import org.dronewatch.viewer.run.SensorLayout;
 
-/** The settings of the selected sensor, edited in place: with units and limits, undo, and another run with them. */
+/**
+ * The settings of the selected sensor, with their units and limits. They are edited in place; edits can be undone, and
+ * the scene can be run again with them.
+ */
 public final class SettingsPanel extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int[] WIDTHS = {170, 130, 230};

@@ -35,8 +35,8 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
     }
 
     /**
-     * In words, the least warning from the bearings with one, such as {@code 12.4 s or more}, or {@code 12.4 s} if it
-     * is the only one; empty unless there are such bearings and others. No line breaks between number and unit.
+     * In words, the least warning from the bearings that have one, such as {@code 12.4 s or more}, or {@code 12.4 s} if
+     * it is the only one; empty unless there are such bearings and others. No line breaks between number and unit.
      *
      * @param words writes a time, s
      */
@@ -60,10 +60,10 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
 
     /**
      * The bearings, clockwise, such as {@code from 350 to 20 deg}, {@code from all bearings but 160 deg}, {@code from
-     * all bearings} or {@code from 7 of 36 bearings}, of flights that are all those at a height, from north. If a drone
-     * arrives undetected, {@code from any bearing} or {@code except from 160 deg}.
+     * all bearings} or {@code from 7 of 36 bearings}. If a drone arrives undetected, {@code from any bearing} or
+     * {@code except from 160 deg}.
      *
-     * @param all the flights
+     * @param all all flights at a height, clockwise from north
      */
     String bearings(List<Warning> all) {
         int count = flights.size();

@@ -66,7 +66,7 @@ public final class WarningTable {
         return time + " " + least.bearings(warnings);
     }
 
-    /** The same, with the least warning from the other bearings if there is none from some. */
+    /** The same; if some bearings give no warning, with the least warning from the others. */
     public static String leastAndOthers(List<Warning> warnings) {
         return leastAndOthers(warnings, WarningTable::seconds);
     }
