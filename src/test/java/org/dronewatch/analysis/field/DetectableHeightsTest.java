@@ -19,7 +19,7 @@ import org.dronewatch.sensor.ProbabilityResolution;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Least detectable heights from the geometry of boxes and beams. */
+/** Lowest detection heights from the geometry of boxes and beams. */
 class DetectableHeightsTest {
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 380, 20, List.of(2.0, 26.0, 60.0));
 

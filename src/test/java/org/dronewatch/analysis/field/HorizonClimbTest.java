@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Least visible heights against a published table, closed forms, and rays at all heights. */
+/** Lowest visible heights against a published table, closed forms, and rays at all heights. */
 class HorizonClimbTest {
     private static final double TOP = 500.0;
 

@@ -11,7 +11,7 @@ import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Least visible heights over the boxes of a site, against segments at all heights. */
+/** Lowest visible heights over the boxes of a site, against segments at all heights. */
 class VisibleHeightsTest {
     private static final FieldGrid GRID = new FieldGrid(0.7, 0.3, 380, 20, List.of(2.0, 60.0));
 

@@ -81,7 +81,7 @@ class CoverageDirectoryTest {
 
         assertThat(SurveyTables.missing(
                         new FieldSurvey(grid, low, Optional.empty(), Optional.empty(), Optional.empty(), List.of(), 2)))
-                .isEqualTo("complete for 1 of 2 heights; missing: least visible heights, least detectable heights,"
+                .isEqualTo("complete for 1 of 2 heights; missing: lowest visible heights, lowest detection heights,"
                         + " warnings, 2 of 2 conditions");
         assertThat(SurveyTables.missing(new FieldSurvey(
                         grid,

@@ -12,10 +12,10 @@ public final class SurveyTables {
     public static String missing(FieldSurvey survey) {
         List<String> missing = new ArrayList<>();
         if (survey.visible().isEmpty()) {
-            missing.add("least visible heights");
+            missing.add("lowest visible heights");
         }
         if (survey.detectable().isEmpty()) {
-            missing.add("least detectable heights");
+            missing.add("lowest detection heights");
         }
         if (survey.warnings().isEmpty()) {
             missing.add("warnings");
