@@ -104,8 +104,9 @@ class PlaceCandidatesTest {
     @Test
     void aFoldOfAllCandidatesIsNoMistake() throws Exception {
         assertThat(placed("budget: 99\nconditions: {fold: 10, atMost: 10}\n"))
-                .containsOnlyOnce("Buying nothing would do as well: with a conditions.fold of 10, no layout within the"
-                        + " budget gains anything.");
+                .containsOnlyOnce(
+                        "Buying nothing would do as well: since conditions.fold requires 10 sensors, no layout"
+                                + " within the budget improves on that.");
     }
 
     private String placed(String more) throws Exception {
@@ -153,12 +154,12 @@ class PlaceCandidatesTest {
         assertThat(placed("budget: 9\n")).doesNotContain("better than this layout");
     }
 
-    /** The first purchases alone comply with a condition only by chance. */
+    /** The first purchases alone meet a condition only by chance. */
     @Test
     void purchasesThatDoNotComplyYetAreCounted() throws Exception {
         String printed = placed("budget: 9\nconditions: {anyoneLost: {atLeast: 0.2}}\n");
 
-        Matcher remains = Pattern.compile("The first( \\d)? purchases? alone do(es)? not comply with the conditions"
+        Matcher remains = Pattern.compile("The first( \\d)? purchases? alone do(es)? not meet the conditions"
                         + " \\(after the worst loss, (\\d+\\.\\d) % remain\\)\\.")
                 .matcher(printed);
 
@@ -227,8 +228,8 @@ class PlaceCandidatesTest {
         // The fixed camera may cue the other, but sees little.
         assertThat(together)
                 .contains("eye-1-turn ")
-                .contains("The figures assume that eye-1-turn has turned to the drone, wherever it is; what cues it"
-                        + " covers 2.1 % by itself.");
+                .contains("The figures assume that eye-1-turn has turned to the drone, wherever it is; on its own, the"
+                        + " sensor that cues it covers 2.1 %.");
     }
 
     /** Without the only sensor that cues it, a camera that turns detects nothing either; the condition counts that. */
@@ -244,7 +245,7 @@ class PlaceCandidatesTest {
         Outcome asked = turningOutcome("budget: 6\nconditions: {anyoneLost: {atLeast: 0.01}}\n");
         assertThat(asked.code()).isEqualTo(2);
         assertThat(asked.err())
-                .contains("no layout was found that complies with it and with the limits on the numbers of sensors, and"
+                .contains("no layout was found that keeps to it and to the limits on the numbers of sensors, and"
                         + " leaves a coverage of 0.01 after the loss of any one");
     }
 

@@ -204,7 +204,7 @@ class PlaceCommandTest {
                 "keep: [x]                                        | 'keep: there is no enabled sensor ''x'''",
                 "drone: two                                       | 'drone two: there is no such drone'",
                 "objective: money                                 | 'objective: ''money'' is not one of [coverage, warning-time, weakest-route]'",
-                "conditions: {anyoneLost: {atLeast: 1}}           | 'budget 1: no layout was found that complies'",
+                "conditions: {anyoneLost: {atLeast: 1}}           | 'budget 1: no layout was found that keeps to it'",
                 "air: {cell: 1 m}                                 | 'air.cell: 500 x 500 cells at 5 heights on 8 headings'",
                 "air: {covered: 0.999}                            | 'air.covered: 0.999: must be 0.008 to 0.996, or 1'",
                 "air: {side: 10 m, cell: 50 m}                    | 'air: a cell of 50.0 m is longer than the side of the area'",

@@ -116,11 +116,12 @@ class PlaceFlownTest {
         }
         String words = "Without slow-1 or slow-2, the layout detects the drone with a probability of ";
         assertThat(place.outcome().out())
-                .containsPattern(
-                        "(?m)^" + words + ".*, as the search estimates it\\. As flown without each of them, the"
-                                + " drone is least likely to be detected in time without slow-.*\\. This is less than the 0\\.5 that"
-                                + " conditions\\.anyoneLost\\.atLeast asks for\\.$");
-        assertThat(verdict()).contains(words, "As flown without each of them");
+                .containsPattern("(?m)^" + words
+                        + ".*, as the search estimates it\\. In flights past the layout without each of these"
+                        + " sensors in turn, the worst case is the loss of slow-.*: the drone is then detected in time with a"
+                        + " probability of .*, on the route from the .*\\. This is less than the 0\\.5 that"
+                        + " conditions\\.anyoneLost\\.atLeast asks for\\.$");
+        assertThat(verdict()).contains(words, "In flights past the layout without each of these sensors in turn");
     }
 
     /**

@@ -89,10 +89,9 @@ class RouteGapsTest {
 
         assertThat(text)
                 .doesNotContain("The weakest route")
-                .contains(
-                        "No route is the weakest, because all begin where they end: the area in which they begin is at"
-                                + " the protected zone; try a larger --side.");
-        assertThat(out.resolve("report.html")).content().contains("No route is the weakest");
+                .contains("There is no weakest route: each ends where it begins, because the starting area touches"
+                        + " the protected zone; try a larger --side.");
+        assertThat(out.resolve("report.html")).content().contains("There is no weakest route");
         assertThat(out.resolve("profile.png")).doesNotExist();
     }
 }

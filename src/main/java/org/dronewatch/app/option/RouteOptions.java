@@ -149,7 +149,8 @@ public final class RouteOptions {
             return "the drone cannot glide; performance.glideRatio is 0";
         }
         return drone.flightLimits().hover()
-                ? "no sensor of the scene rejects the drone only when it flies more slowly than at its cruise speed"
+                ? "slow flight makes no difference: no sensor of the scene rejects the drone at low speed, but not at"
+                        + " cruise speed"
                 : "the drone cannot fly slowly; performance.hover is false";
     }
 

@@ -8,7 +8,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The conditions with which the layout must comply, besides the budget.
+ * The conditions that the layout must meet, besides the budget.
  *
  * @param atMost maximum number of its sensors, including those that are kept; no limit by default
  * @param fold number of sensors that must cover a cell for it to count, 1 to 10; 1 by default

@@ -25,7 +25,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param budget budget for all sensors except those that are kept, 0 to 1e12, in any currency
  * @param candidates sensors that may be bought, by name; the names of such sensors in the layout begin with that name
  * @param keep sensors of the scene that are kept, at no cost
- * @param conditions what the layout must comply with
+ * @param conditions what the layout must meet, besides the budget
  * @param air airspace that is to be covered
  */
 public record PlaceSettings(

@@ -36,7 +36,7 @@ public final class PlanConditions {
     public static InputException impossible(PlacePlan plan, Optional<String> remaining) {
         return new InputException(
                 "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
-                        + ": no layout was found that complies with it and with the limits on the numbers of sensors"
+                        + ": no layout was found that keeps to it and to the limits on the numbers of sensors"
                         + remaining
                                 .map(what -> ", and leaves " + what + " after the loss of any one")
                                 .orElse(""));

@@ -79,19 +79,20 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         if (worst.size() == 1) {
             return all == 1 ? "" : ", whose loss is worst";
         }
-        return worst.size() == all ? "" : ", whose losses are equally bad and the worst";
+        return worst.size() == all ? "" : " (equally severe losses, and the worst of all)";
     }
 
     /** What flights show of the losses that were flown, the worst of them, in sentences; empty if none was. */
     private Optional<String> flownLoss() {
         List<Loss> all = losses();
         return all.stream().min(Comparator.comparingDouble(Loss::inTime)).map(least -> {
-            String chance = "with a probability of " + FrontWords.percent(least.inTime()) + ", "
-                    + FlownLayout.from(least.route()) + least.flown().because(least.route(), "the search") + ".";
+            String chance = "detected in time with a probability of " + FrontWords.percent(least.inTime())
+                    + ", on the route " + FlownLayout.from(least.route())
+                    + least.flown().because(least.route(), "the search") + ".";
             String sentence = all.size() == 1
-                    ? " As flown without " + least.sensor() + ", the drone is detected in time " + chance
-                    : " As flown without each of them, the drone is least likely to be detected in time without "
-                            + either(alike(all, least)) + ": " + chance;
+                    ? " In flights past the layout without " + least.sensor() + ", the drone is " + chance
+                    : " In flights past the layout without each of these sensors in turn, the worst case is the loss"
+                            + " of " + either(alike(all, least)) + ": the drone is then " + chance;
             return needed().stream().anyMatch(fraction -> least.inTime() < fraction)
                     ? sentence + " This is less than the " + Quantity.NUMBER.inWords(needed().getAsDouble())
                             + " that conditions.anyoneLost.atLeast asks for."

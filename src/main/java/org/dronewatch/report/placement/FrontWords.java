@@ -74,12 +74,12 @@ final class FrontWords {
     private static List<String> unanswered(TriedBudgets tried, DoubleFunction<String> money) {
         List<String> sentences = new ArrayList<>();
         if (!tried.infeasible().isEmpty()) {
-            sentences.add("No layout complies with the conditions for these budgets, which were also tried: "
+            sentences.add("No layout meets the conditions for these budgets, which were also tried: "
                     + list(tried.infeasible(), money) + ".");
         }
         if (!tried.unknown().isEmpty()) {
             sentences.add("The search ended before it found a layout for these budgets, so it is not known whether one"
-                    + " complies with the conditions: " + list(tried.unknown(), money) + ".");
+                    + " meets the conditions: " + list(tried.unknown(), money) + ".");
         }
         return sentences;
     }

@@ -158,8 +158,8 @@ final class PlaceReport {
             case BEST_LEFT ->
                 "The sensors are listed in the order in which to buy them. Since only the worst case counts, which the"
                         + " first sensors may not improve, the order was found backwards: at each step, the sensor"
-                        + " was left out without which the others are worth most; in a tie, the one that"
-                        + " contributes least over all cases per unit of price. ";
+                        + " whose removal costs least was left out; in a tie, the one that contributes least over all"
+                        + " cases per unit of price. ";
         };
     }
 

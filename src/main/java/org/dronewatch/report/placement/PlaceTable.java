@@ -87,13 +87,14 @@ final class PlaceTable {
     /** That no layout gains anything, in a sentence which names the fold, a likely cause. */
     private String useless() {
         if (!layout.complete()) {
-            return "So far, no layout was found that gains anything: nothing is bought.";
+            return "So far, no layout was found that improves on buying nothing: nothing is bought.";
         }
         int fold = layout.plan().settings().conditions().fold();
         boolean isProven = layout.bound() <= layout.value();
-        return "Buying nothing would do as well: " + (fold > 1 ? "with a conditions.fold of " + fold + ", " : "")
+        return "Buying nothing would do as well: "
+                + (fold > 1 ? "since conditions.fold requires " + fold + " sensors, " : "")
                 + "no layout within the budget "
-                + (isProven && fold > 1 ? "gains anything." : "was found that gains anything.");
+                + (isProven && fold > 1 ? "improves on that." : "was found that improves on that.");
     }
 
     /** Until which purchase nothing is gained, in a sentence; empty if the first one gains something. */
@@ -122,7 +123,7 @@ final class PlaceTable {
             return (early.count() == 1
                             ? "The first purchase alone does"
                             : "The first " + early.count() + " purchases alone do")
-                    + " not comply with the conditions"
+                    + " not meet the conditions"
                     + (reasons.isEmpty() ? "." : " (" + String.join("; ", reasons) + ").");
         });
     }
@@ -131,13 +132,15 @@ final class PlaceTable {
     private Optional<String> cued() {
         Cues.Cueing cues = new Cues(layout.plan()).cueing(layout.chosen());
         OptionalDouble worth = layout.together(cues.cueing());
+        boolean isOne = cues.cueing().size() == 1;
         return cues.turning().isEmpty() || worth.isEmpty()
                 ? Optional.empty()
                 : Optional.of("The figures assume that " + PlainText.list(cues.turning())
                         + (cues.turning().size() == 1 ? " has" : " have")
-                        + " turned to the drone, wherever it is; what cues "
-                        + (cues.turning().size() == 1 ? "it " : "them ") + measure.claim(true, worth.getAsDouble())
-                        + " by itself.");
+                        + " turned to the drone, wherever it is; on "
+                        + (isOne ? "its own, the sensor that cues " : "their own, the sensors that cue ")
+                        + (cues.turning().size() == 1 ? "it " : "them ") + measure.claim(isOne, worth.getAsDouble())
+                        + ".");
     }
 
     /**

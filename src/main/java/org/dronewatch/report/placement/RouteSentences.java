@@ -95,7 +95,7 @@ final class RouteSentences {
                 + (weakest < WeakestRouteSearch.ENOUGH ? " or more" : "") + ", as the search estimates it";
         if (!isNeverClosed()) {
             return Optional.of(sentence(affordable()) + " would detect the drone on every route" + probability
-                    + ", but no layout that complies with the budget and the conditions does.");
+                    + ", but no layout within the budget that meets the conditions does.");
         }
         return Optional.of("From the " + directions(least, exposure -> exposure > 0.0) + ", " + affordable()
                 + " detect the drone" + probability + ": there, gaps can be closed. To detect it from the "

@@ -66,8 +66,8 @@ final class ZoneTable {
     String html() {
         return Html.plain(
                         "p",
-                        "Cells in these zones weigh more, or less, than all others; a cell that lies in several of them"
-                                + " has the greatest of their weights. The fractions of the airspace in this report are weighted, those of"
+                        "Cells in these zones are given more or less weight than all others; a cell that lies in several"
+                                + " of them has the greatest of their weights. The fractions of the airspace in this report are weighted, those of"
                                 + " a zone are not: each cell counts the same, in % of the cells of the zone.")
                 + Html.table(HEAD, rows());
     }

@@ -94,10 +94,13 @@ final class RouteReport {
                                         + ", which a radar rejects"
                                 : "")
                         + (ModeWords.areGlides(survey) ? "; 'motors off' is how long the drone glides at the end" : "")
-                        + ". 'Counted exposure' is that "
-                        + (survey.response() > 0.0 ? "of the part of the route on which a detection is in time, " : "")
-                        + "in the cells of the search; no route there that stays " + inputs.heightsInWords()
-                        + " above the ground can have less than the lower bound. An exposure of 1 means a probability of 63 %, one of 3 means 95 %."
+                        + ". 'Counted exposure' is the exposure, as computed from the cells of the search"
+                        + (survey.response() > 0.0
+                                ? ", on the part of the route where a detection would still be in time"
+                                : "")
+                        + ". The lower bound holds for every route through these cells that stays "
+                        + inputs.heightsInWords()
+                        + " above the ground. An exposure of 1 means a probability of 63 %, one of 3 means 95 %."
                         + (survey.response() > 0.0 ? " 'Search' is the probability along the whole route." : ""));
     }
 

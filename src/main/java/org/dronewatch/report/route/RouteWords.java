@@ -28,7 +28,7 @@ final class RouteWords {
                         + inTime(route, results) + ". Routes were searched for " + inputs.cellsInWords() + ".")
                 .orElseGet(() -> survey.routes().isEmpty()
                         ? "No route leads to " + inputs.targetInWords() + "."
-                        : "No route is the weakest, because all begin where they end: the area in which they begin is at "
+                        : "There is no weakest route: each ends where it begins, because the starting area touches "
                                 + inputs.targetInWords() + "; try a larger --side"
                                 + (inputs.launch().isPresent() ? ", or a --launch farther away." : "."));
     }
@@ -48,12 +48,14 @@ final class RouteWords {
     /** What keeps sensors from detecting it, {@code hidden by terrain most of the time}; empty if nothing does. */
     static Optional<String> reason(SectorRoute route) {
         return route.dominantCause().map(cause -> {
-            String often = route.share(cause) > 0.5 ? " most of the time" : " part of the time";
+            boolean isMostly = route.share(cause) > 0.5;
+            String often = isMostly ? " most of the time" : " part of the time";
             return switch (cause) {
                 case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
                 case TOO_SLOW, TOO_FAST -> "across the line of sight or at a speed that radars reject" + often;
                 case UNKNOWN -> "where the line of sight leaves the known ground" + often;
-                case SILENT -> often.strip() + " without an emission that the sensors recognise";
+                case SILENT ->
+                    (isMostly ? "mostly" : often.strip()) + " without emitting anything that the sensors recognise";
                 default -> CoverageTable.name(cause) + often;
             };
         });

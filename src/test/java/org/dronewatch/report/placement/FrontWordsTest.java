@@ -15,7 +15,7 @@ class FrontWordsTest {
         assertThat(new FrontWords(new ShareMeasure(1, false)).tried(tried, PlaceWords::money))
                 .containsExactly(
                         "14 budgets were tried: a better buy may lie between two of them.",
-                        "No layout complies with the conditions for these budgets, which were also tried: 20\u202f000 and"
+                        "No layout meets the conditions for these budgets, which were also tried: 20\u202f000 and"
                                 + " 45\u202f000.");
     }
 
