@@ -52,13 +52,13 @@ final class NewCommand implements Callable<Integer> {
             names = "--at",
             required = true,
             paramLabel = "LAT,LON",
-            description = "Latitude and longitude of the middle of the site in degrees (WGS 84).")
+            description = "Latitude and longitude of the centre of the site in degrees (WGS 84).")
     private String at;
 
     @Option(
             names = "--radius",
             paramLabel = "LENGTH",
-            description = "Distance from the middle to which the site extends, 200 m to 20 km; 2 km by default.")
+            description = "Distance from the centre to which the site extends, 200 m to 20 km; 2 km by default.")
     private String radius = "2 km";
 
     @Option(

@@ -46,7 +46,7 @@ import picocli.CommandLine.Spec;
         description =
                 "Finds, from each of eight directions, the route to the protected zone on which the sensors are least likely"
                         + " to detect a drone in time, and writes it as a scene that can be run. Without a zone, routes lead"
-                        + " to the middle of the sensors.",
+                        + " to the centroid of the sensors.",
         footer = {
             "",
             "Examples:",

@@ -113,7 +113,7 @@ record RouteSite(
         }
         if (goals.isEmpty()) {
             throw new IllegalArgumentException("no route can end "
-                    + (isZone ? "in the protected zone or next to it" : "at the middle of the sensors") + ": "
+                    + (isZone ? "in the protected zone or next to it" : "at the centroid of the sensors") + ": "
                     + NO_CELL);
         }
     }

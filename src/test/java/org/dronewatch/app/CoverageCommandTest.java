@@ -337,7 +337,7 @@ class CoverageCommandTest {
         assertThat(outcome.out())
                 .contains(
                         "from a distance of 150 m: time from the first detection with a probability of 0.9 or more until they"
-                                + " reach the middle of the sensors:");
+                                + " reach the centroid of the sensors:");
     }
 
     /** A pixel of the picture for each answer: the light blue of what is detected, the dark grey of what is solid. */

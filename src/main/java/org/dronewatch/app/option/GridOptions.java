@@ -45,7 +45,7 @@ public final class GridOptions {
             names = CENTRE,
             paramLabel = "POINT",
             description =
-                    "Middle of the area, east and north in the scene's frame, such as 100m,-50m; the middle of the"
+                    "Centre of the area, east and north in the scene's frame, such as 100m,-50m; the centroid of the"
                             + " sensors by default.")
     private String centre;
 

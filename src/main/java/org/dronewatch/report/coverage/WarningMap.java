@@ -49,7 +49,7 @@ public final class WarningMap {
         sheet.credits(site.stage().credits());
         sheet.title(inputs.scene());
         sheet.line("where the drone '" + inputs.drone() + "', flying straight in");
-        sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
+        sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the centroid of the sensors"));
         sheet.line("from up to " + FieldPictures.metres(warnings.reach()) + ", is first detected"
                 + inputs.withProbability() + ";");
         if (inputs.within().isPresent()) {
@@ -82,7 +82,7 @@ public final class WarningMap {
         sheet.explainSensors();
         sheet.space();
         sheet.line("straight lines between " + InboundWarnings.BEARINGS + " bearings;");
-        sheet.line("where a line meets the zone, or the middle:");
+        sheet.line("where a line meets the zone, or the centroid:");
         sheet.line("no detection before the drone arrives");
         sheet.caption("Where a drone that flies in straight is first detected, by height.");
         return sheet;

@@ -28,7 +28,7 @@ public final class WarningWords {
 
     private String introduction() {
         return "A drone flies straight in from " + number(warnings.reach()) + " m away, at its cruise speed, to "
-                + (warnings.isZone() ? "the protected zone" : "the middle of the sensors")
+                + (warnings.isZone() ? "the protected zone" : "the centroid of the sensors")
                 + ". For each bearing from which it comes, the figure shows the time from its first detection until"
                 + " it arrives; where a line touches the centre, it arrives undetected. "
                 + (warnings.response() > 0.0
@@ -115,7 +115,7 @@ public final class WarningWords {
     /** The worst warning of all heights, and whether all are in time. */
     public String worstInWords() {
         LeastWarning worst = least(warnings.all());
-        String zone = warnings.isZone() ? "the protected zone" : "the middle of the sensors";
+        String zone = warnings.isZone() ? "the protected zone" : "the centroid of the sensors";
         String cases = share(worst.flights().size(), warnings.all()) + " combinations of bearing and height";
         double height = worst.flights().get(0).height();
         String first;

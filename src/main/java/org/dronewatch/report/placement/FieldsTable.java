@@ -102,9 +102,9 @@ final class FieldsTable {
         double north = gap.y() - grid.north();
         double distance = Math.hypot(east, north);
         String where = distance < grid.cell()
-                ? "in the middle of the area"
+                ? "at the centre of the area"
                 : PlaceTable.text(
-                        "%.0f m %s of the middle of the area",
+                        "%.0f m %s of the centre of the area",
                         distance, CompassPoint.of(StrictMath.atan2(east, north)));
         return "The layout's largest gap is " + PlaceTable.text("%.1f ha", gap.area() / HECTARE) + " at "
                 + Numbers.text(worst.get().height()) + " m above the ground, " + where + "; the main cause: "

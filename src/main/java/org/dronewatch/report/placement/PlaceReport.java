@@ -193,7 +193,7 @@ final class PlaceReport {
                         "Each row is the best layout that was found for its cost, in a separate search; a more"
                                 + " expensive layout need not contain a cheaper one. No layout for that money can exceed the upper"
                                 + " bound. 'Change' states what is bought, and where most is gained, as seen from the"
-                                + " middle of the area.")
+                                + " centre of the area.")
                 + Html.table(
                         List.of(words.priced("cost"), "added cost", measure.heading(), "upper bound", "change"), rows)
                 + front.tried(results.front().tried(), PlaceWords::money).stream()

@@ -77,7 +77,7 @@ final class RouteChapter {
                         "p",
                         "For each direction, the table states the probability that the drone is detected in time on the"
                                 + " route on which that is least likely, past today's sensors and past the layout: by"
-                                + " the search, which assesses each cell only at its middle, and as computed from every look along the"
+                                + " the search, which assesses each cell only at its centre, and as computed from every look along the"
                                 + " route as it is flown" + table.asItIs()
                                 + ". 'Time left' is the time between the typical (median) first"
                                 + " detection and the drone's arrival.")

@@ -86,7 +86,7 @@ public record RouteInputs(
     /** What the routes lead to. */
     String targetInWords() {
         if (protection.isEmpty()) {
-            return "the middle of the sensors";
+            return "the centroid of the sensors";
         }
         int zones = protection.areas().size() + (protection.zone().isPresent() ? 1 : 0);
         return zones > 1 ? "the protected zones" : "the protected zone";

@@ -82,7 +82,7 @@ final class RouteReport {
                                 : " before it reaches " + inputs.targetInWords() + ".")
                         + " 'Detected' is the probability that any sensor detects it at all, computed from every look along the route"
                         + " as it is flown; 'search' is the estimate of the search, which assesses each cell only at its"
-                        + " middle, and assumes that a sensor may look at any moment; 'time left' is the time between the typical (median) first detection and the drone's"
+                        + " centre, and assumes that a sensor may look at any moment; 'time left' is the time between the typical (median) first detection and the drone's"
                         + " arrival"
                         + (survey.isAlertKnown()
                                 ? "; 'alert in time' is the probability that the scene's rule raises an alert early enough,"

@@ -71,7 +71,7 @@ final class SearchNotes {
 
     /** What the search does that makes it misjudge routes. */
     private String reason(Misjudgement cause, List<SectorRoute> routes) {
-        String cells = "assesses each cell only at its middle";
+        String cells = "assesses each cell only at its centre";
         return switch (cause) {
             case CELLS -> cells;
             case SCANS -> looks.assumption(routes);
@@ -87,7 +87,7 @@ final class SearchNotes {
         return (cause.isForCells()
                         ? "; try " + finer() + ", which may also show less exposed routes: they cannot be ruled out"
                         : ", which smaller cells do not change; less exposed routes, which cannot be ruled out, may be found"
-                                + " between the middles of cells with " + finer())
+                                + " between cell centres with " + finer())
                 + elsewhere(routes);
     }
 
@@ -150,7 +150,7 @@ final class SearchNotes {
                 : Optional.of("Less exposed routes " + RouteDirections.from(routes)
                         + " cannot be ruled out: the lower bound of the exposure allows for a probability of detection"
                         + inTime(response)
-                        + " that is more than 20 percentage points lower. To look for them between the middles of cells,"
+                        + " that is more than 20 percentage points lower. To look for them between cell centres,"
                         + " try " + finer() + elsewhere(routes) + ".");
     }
 
@@ -179,7 +179,7 @@ final class SearchNotes {
         return between.unseen() == 0
                 ? Optional.empty()
                 : Optional.of("At " + number(between.unseen()) + " of " + number(between.tried())
-                        + " places tried between the middles of cells, no sensor detects the drone, although all cells"
+                        + " places tried between cell centres, no sensor detects the drone, although all cells"
                         + " around the place are covered. Passages narrower than a cell, which the search cannot find,"
                         + " may lead through such places, and a route along one may be less exposed than the lower bound; to look for passages, try "
                         + finer()

@@ -108,7 +108,8 @@ class CoverageReportTest {
                 .filter(line -> line.startsWith("A gap of "))
                 .findFirst()
                 .orElseThrow();
-        Matcher begins = Pattern.compile("begins (\\d+) m ([a-z-]+) of the middle of the sensors and reaches the edge")
+        Matcher begins = Pattern.compile(
+                        "begins (\\d+) m ([a-z-]+) of the centroid of the sensors and reaches the edge")
                 .matcher(first);
         assertThat(begins.find()).as(first).isTrue();
         assertThat(Double.parseDouble(begins.group(1))).isEqualTo(Math.rint(nearest()));

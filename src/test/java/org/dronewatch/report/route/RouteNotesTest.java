@@ -84,16 +84,16 @@ class RouteNotesTest extends RouteSamples {
                 .contains(
                         "because the search assumes that 'slow' may look at any moment, whereas it looks only every 5 s,"
                                 + " which smaller cells do not change; less exposed routes, which cannot be ruled out, may be found"
-                                + " between the middles of cells with --cell 10m; to look for them less than 30 m above the ground,"
+                                + " between cell centres with --cell 10m; to look for them less than 30 m above the ground,"
                                 + " add lower --heights");
         assertThat(warning(cells))
                 .endsWith(
-                        "because the search assesses each cell only at its middle; try --cell 10m, which may also show less"
+                        "because the search assesses each cell only at its centre; try --cell 10m, which may also show less"
                                 + " exposed routes: they cannot be ruled out; to look for them less than 30 m above the ground,"
                                 + " add lower --heights");
         assertThat(warning(both))
                 .contains(
-                        "because the search assesses each cell only at its middle, and assumes that 'slow' may look at any"
+                        "because the search assesses each cell only at its centre, and assumes that 'slow' may look at any"
                                 + " moment, whereas it looks only every 5 s; try --cell 10m, which");
     }
 
@@ -105,7 +105,7 @@ class RouteNotesTest extends RouteSamples {
         SectorRoute cells = bounded(route(Map.of("slow", 0.5), 20.0, List.of(List.of(look(14.0, 0.5)))));
 
         assertThat(warning(scan)).endsWith("whereas it looks only every 5 s");
-        assertThat(warning(cells)).endsWith("because the search assesses each cell only at its middle; try --cell 10m");
+        assertThat(warning(cells)).endsWith("because the search assesses each cell only at its centre; try --cell 10m");
     }
 
     private static SectorRoute bounded(SectorRoute route) {
@@ -169,7 +169,7 @@ class RouteNotesTest extends RouteSamples {
                 route(Map.of("slow", 20.0), 0.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
 
         assertThat(more.inTime(15.0)).isCloseTo(0.5, within(1e-6));
-        assertThat(warning(more)).contains("only at its middle; try --cell 10m").doesNotContain("slow");
+        assertThat(warning(more)).contains("only at its centre; try --cell 10m").doesNotContain("slow");
     }
 
     /** A slower one hardly ever detects the drone, so that it makes no difference when it looks. */
@@ -264,7 +264,7 @@ class RouteNotesTest extends RouteSamples {
         assertThat(new RouteNotes(inputs).notes(results(late)))
                 .contains(
                         "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"
-                                + " only because of detections that come too late: the search assesses each cell only at its middle.");
+                                + " only because of detections that come too late: the search assesses each cell only at its centre.");
         assertThat(new RouteNotes(inputs).notes(results(some)))
                 .contains(
                         "On the route from the north, 'search' and 'detected' differ by more than 20 percentage points, but"

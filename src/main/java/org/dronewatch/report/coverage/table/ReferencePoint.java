@@ -15,34 +15,34 @@ import org.dronewatch.report.CompassPoint;
  * The point from which a report describes where something is: the middle of what is protected, or of the sensors.
  *
  * @param at its position, m
- * @param name what it is, such as {@code the middle of the sensors}
+ * @param name what it is, such as {@code the centroid of the sensors}
  * @param geodesy for geographic coordinates, where the scene has an origin
  */
 public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
     /** The target of inbound flights. */
     public static ReferencePoint of(InboundWarnings warnings, Protection protection, CoverageInputs inputs) {
-        String zone = inputs.area()
-                .filter(name -> !name.equals(Protection.ZONE))
+        String name = inputs.area()
+                .filter(area -> !area.equals(Protection.ZONE))
                 .map(ReferencePoint::area)
                 .orElseGet(() -> zone(protection));
         return new ReferencePoint(
-                warnings.target(), "the middle of " + zone, inputs.origin().map(Geodesy::new));
+                warnings.target(), name, inputs.origin().map(Geodesy::new));
     }
 
     private static String zone(Protection protection) {
         return protection.isEmpty()
-                ? "the sensors"
+                ? "the centroid of the sensors"
                 : protection
                         .zone()
-                        .map(ball -> "the protected zone")
+                        .map(ball -> "the centre of the protected zone")
                         .orElseGet(() -> area(protection.areas().get(0).name()));
     }
 
     private static String area(String name) {
-        return "the protected area '" + name + "'";
+        return "the centre of the protected area '" + name + "'";
     }
 
-    /** {@code 210 m north-west of the middle of the sensors}. */
+    /** {@code 210 m north-west of the centroid of the sensors}. */
     String describe(double x, double y) {
         return distanceAndDirection(x, y) + " of " + name;
     }

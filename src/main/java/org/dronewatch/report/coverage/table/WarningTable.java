@@ -30,7 +30,7 @@ public final class WarningTable {
                 "warning of drones that fly straight in from %s: time from the first detection%s until they reach %s:",
                 "a distance of " + Numbers.text(warnings.reach()) + " m",
                 CoverageInputs.withProbability(covered),
-                warnings.isZone() ? "the protected zone" : "the middle of the sensors"));
+                warnings.isZone() ? "the protected zone" : "the centroid of the sensors"));
         lines.add(text("%10s  %34s  %10s  %14s", "height", "shortest", "median", "not detected")
                 + (isRequired ? text("  %24s", "less than " + Numbers.text(warnings.response()) + " s") : ""));
         for (double height : heights(warnings)) {

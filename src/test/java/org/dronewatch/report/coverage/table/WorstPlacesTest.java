@@ -60,7 +60,7 @@ class WorstPlacesTest {
         return new WorstPlaces(
                 of,
                 new CoverageSite(site.settings(), site.stage()),
-                new ReferencePoint(TARGET, "the middle of the test", Optional.empty()));
+                new ReferencePoint(TARGET, "the centre of the test", Optional.empty()));
     }
 
     private static List<String> gaps() {
@@ -112,11 +112,11 @@ class WorstPlacesTest {
                             && Math.abs(GRID.y(cell / GRID.columns()) - inner.get(1)) < 0.51);
             assertThat(holds).as(text).isTrue();
             if (distance(nearest) > GRID.cell()) {
-                assertThat(numbers(text, "begins (\\d+) m [a-z-]+ of the middle of the test")
+                assertThat(numbers(text, "begins (\\d+) m [a-z-]+ of the centre of the test")
                                 .get(0))
                         .isCloseTo(distance(nearest), within(0.51));
             } else {
-                assertThat(text).contains("includes the middle of the test");
+                assertThat(text).contains("includes the centre of the test");
             }
             boolean isAtEdge = Arrays.stream(map.cells(span.number()))
                     .anyMatch(cell -> cell < GRID.columns()
