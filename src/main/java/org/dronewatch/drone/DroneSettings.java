@@ -35,7 +35,7 @@ import org.dronewatch.world.World;
  * @param model its mesh, whose nose points to the model's north (y after loading) and whose origin is the drone's
  * @param flight its flight path
  * @param speed cruise speed, 0.001 to 400 m/s
- * @param acceleration largest acceleration along the path, 0.001 to 10,000 m/s2
+ * @param acceleration maximum acceleration along the path, 0.001 to 10,000 m/s2
  * @param airframe type of airframe, which determines how it tilts
  * @param lean whether it tilts in flight as its type of airframe does: a multirotor into its acceleration, a fixed-wing
  *     into its turn; otherwise it stays level, unless its flight states an attitude

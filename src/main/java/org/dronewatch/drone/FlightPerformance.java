@@ -12,17 +12,17 @@ import org.dronewatch.setting.SettingsForm;
  * {@linkplain FlightLimits#typical typical} of its type of airframe. A flight that exceeds a limit causes a warning,
  * but is flown as described; missions from files climb and descend at these rates unless they state others.
  *
- * @param climb largest rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors, 5 m/s for
+ * @param climb maximum rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors, 5 m/s for
  *     fixed-wing drones and hybrids
- * @param sink largest rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors, 5 m/s for
+ * @param sink maximum rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors, 5 m/s for
  *     fixed-wing drones and hybrids
- * @param turnRate largest rate at which the course turns, above 0 and at most 3600 deg/s; typically that at a bank
- *     angle of 45 degrees (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
+ * @param turnRate maximum rate of turn, above 0 and at most 3600 deg/s; typically that at a bank angle of 45 degrees
+ *     (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
  * @param leastSpeed minimum speed under power of a drone that cannot hover, above 0 and at most 400 m/s; typically two
  *     thirds of the cruise speed. It is used only in the search for routes, where the cruise speed applies if it is
  *     lower
- * @param ceiling greatest height above the surface below it, above 0 and at most 20,000 m; typically 500 m
+ * @param ceiling maximum height above the surface below it, above 0 and at most 20,000 m; typically 500 m
  * @param endurance longest flight under power, above 0 and at most 604,800 s; typically 30 minutes for multirotors, an
  *     hour for fixed-wing drones and hybrids
  * @param glideRatio horizontal distance covered with the motors off per metre of height lost, 0 to 100; 0 for a drone

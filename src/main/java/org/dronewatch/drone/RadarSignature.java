@@ -14,8 +14,8 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param crossSection mean radar cross-section, 1e-9 to 1e6 m2
  * @param fluctuation fluctuation of the cross-section from look to look
- * @param aspects cross-section by aspect relative to the mean, dB: values at equal steps of azimuth, clockwise from the
- *     nose as seen from above; 1 to 360 of them, a single one if it is the same for all aspects
+ * @param aspects aspect-dependent cross-section relative to the mean, dB: values at equal steps of azimuth, clockwise
+ *     from the nose as seen from above; 1 to 360 of them, a single one if it is the same for all aspects
  * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,
  *     above 0 and at most 20 dB; omit it to use {@code fluctuation}
  * @param droneClass a class of drones, which sets {@code crossSection} and {@code spread}; omit it to state your own

@@ -165,7 +165,7 @@ public interface FlightPathSettings {
      *
      * @param from position at time 0, m
      * @param release position at which the motors stop, m
-     * @param to end of the glide, below the release, with a glide ratio of at most 30, m
+     * @param to end of the glide, below the point at which the motors stop, with a glide ratio of at most 30, m
      */
     record Glide(Position from, Position release, Position to) implements FlightPathSettings {
         /** The highest glide ratio, above those that the best gliders of a drone's size reach. */

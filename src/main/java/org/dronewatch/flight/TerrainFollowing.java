@@ -21,7 +21,7 @@ import org.dronewatch.world.GroundPoint;
  * @param points the path in plan view, as pairs of east and north coordinates: at least two, neighbours 1 mm or more
  *     apart, at most 50 km in total, m
  * @param height height above the highest surface, above 0 and at most 10 km, m
- * @param maxFlightPathAngle largest angle of climb and descent, 5 to 85 degrees, rad
+ * @param maxFlightPathAngle maximum angle of climb and descent, 5 to 85 degrees, rad
  */
 public record TerrainFollowing(
         List<GroundPoint> points,

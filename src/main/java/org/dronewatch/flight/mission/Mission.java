@@ -18,8 +18,8 @@ import org.dronewatch.setting.input.BoundedFile;
  * {@code descentRate} are given.
  *
  * @param plan path of the {@code .plan} file
- * @param climbRate largest vertical speed upwards, 0.1 to 100 m/s; the drone's {@code performance.climb} unless set
- * @param descentRate largest vertical speed downwards, 0.1 to 100 m/s; the drone's {@code performance.sink} unless set
+ * @param climbRate maximum rate of climb, 0.1 to 100 m/s; the drone's {@code performance.climb} unless set
+ * @param descentRate maximum rate of descent, 0.1 to 100 m/s; the drone's {@code performance.sink} unless set
  */
 public record Mission(
         @FileName String plan,

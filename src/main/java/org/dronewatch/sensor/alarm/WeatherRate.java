@@ -12,10 +12,10 @@ import org.dronewatch.world.Weather;
  * is left out is always met.
  *
  * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
- * @param rain least rain rate at which it applies, 0 to 500 mm/h
- * @param wind least wind speed, at a height of 10 m, at which it applies, 0 to 60 m/s
- * @param visibility greatest visibility at which it applies, above 0 and at most 1000 km
- * @param illuminance greatest illuminance of the ground at which it applies, 1e-5 to 200,000 lx
+ * @param rain minimum rain rate at which it applies, 0 to 500 mm/h
+ * @param wind minimum wind speed, at a height of 10 m, at which it applies, 0 to 60 m/s
+ * @param visibility maximum visibility at which it applies, above 0 and at most 1000 km
+ * @param illuminance maximum illuminance of the ground at which it applies, 1e-5 to 200,000 lx
  */
 public record WeatherRate(
         @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,

@@ -34,7 +34,7 @@ import org.dronewatch.world.World;
  *
  * @param position position of its antenna, m
  * @param aim direction of the centre of its field of view; the elevation is the tilt of its mount
- * @param maxTilt greatest tilt of its mount, up or down, which limits the elevation of the aim, 0 to 90 degrees, rad
+ * @param maxTilt maximum tilt of its mount, up or down, which limits the elevation of the aim, 0 to 90 degrees, rad
  * @param azimuthWidth horizontal width of its field of view, 0.01 to 360 degrees, rad
  * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
  * @param minRange minimum range: nearer drones are masked by the radar's own pulse, 0 to 1000 km, m
