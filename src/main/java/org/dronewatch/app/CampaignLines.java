@@ -183,7 +183,8 @@ final class CampaignLines {
         int all = pair.difference().onlyA() + pair.difference().onlyB();
         out.println();
         if (all == 0) {
-            out.println("no case decides: '" + word(pair.outcome()) + "' is the same for both in every case");
+            out.println(
+                    "there are no deciding cases: '" + word(pair.outcome()) + "' is the same for both in every case");
             return;
         }
         int width = Math.max(pair.a().length(), pair.b().length());

@@ -96,8 +96,9 @@ final class CompareCommand implements Callable<Integer> {
         settings.vary().forEach((path, variation) -> shown.notes().accept("varies: " + path));
         if (settings.vary().isEmpty() && settings.table().isEmpty()) {
             shown.notes()
-                    .accept("no attack has a bearing that could vary, so only chance varies; use --vary FILE to vary"
-                            + " settings");
+                    .accept(
+                            "no attack has a bearing that could vary, so only the random numbers vary; use --vary FILE to"
+                                    + " vary settings");
         }
         return threads.call(() -> {
             LoadingNotes loading = new LoadingNotes(shown.notes());

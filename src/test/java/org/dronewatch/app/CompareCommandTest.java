@@ -59,7 +59,7 @@ class CompareCommandTest {
         assertThat(outcome.err()).contains("varies: drones.intruder.flight.bearing");
         assertThat(outcome.out())
                 .contains("= +0.0 points", "only site in 0, only site-changed in 0 of 30 cases, p = 1")
-                .contains("no case decides: 'in time' is the same for both in every case");
+                .contains("there are no deciding cases: 'in time' is the same for both in every case");
     }
 
     @Test

@@ -89,7 +89,7 @@ final class PairWords {
     private String verdict(VariantComparison pair, String first, String second) {
         PairedDifference difference = pair.difference();
         if (difference.onlyA() + difference.onlyB() == 0) {
-            return "Between " + first + " and " + second + " no case decides: they are equally good in every case.";
+            return "No case distinguishes " + first + " from " + second + ": both do equally well in every case.";
         }
         String of = " difference between " + first + " and " + second + ", "
                 + ShareWords.difference(difference, !pair.a().equals(first)) + ", is ";

@@ -25,8 +25,7 @@ public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy
                 .filter(area -> !area.equals(Protection.ZONE))
                 .map(ReferencePoint::area)
                 .orElseGet(() -> zone(protection));
-        return new ReferencePoint(
-                warnings.target(), name, inputs.origin().map(Geodesy::new));
+        return new ReferencePoint(warnings.target(), name, inputs.origin().map(Geodesy::new));
     }
 
     private static String zone(Protection protection) {
