@@ -42,6 +42,7 @@ public final class House {
             new Storey("", "sensor"),
             new Storey("", "positioner"),
             new Storey("what flies", "drone"),
+            new Storey("", "drone.silhouette"),
             new Storey("", "flight.mission", "flight.track"),
             new Storey("", "flight.file"),
             new Storey("", "flight"),

@@ -163,9 +163,8 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches once more, for the routes that are least exposed all the way. In the other searches, only detections in
-     * time count: from the point after which they come too late, the drone takes the fastest way, although it might
-     * stay undetected on a slower one.
+     * Searches once more, for the routes that are least exposed all the way. In the other searches, the drone takes the
+     * fastest way from the point after which detections come too late, even if a slower one would keep it undetected.
      *
      * @param routes the weakest routes so far, by sector: those of this search may join them
      * @param sectors for which to search, among those of the routes

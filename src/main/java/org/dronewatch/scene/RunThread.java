@@ -1,6 +1,7 @@
 package org.dronewatch.scene;
 
-import nl.tudelft.simulation.dsol.experiment.Replication;
+import java.util.Optional;
+import java.util.function.Supplier;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
 import org.djutils.event.Event;
@@ -11,34 +12,36 @@ import org.dronewatch.run.Stage;
  * The thread that runs a scene, which alone steers its drones. DSOL constructs the model on one thread and runs its
  * events on another, and a simulator that was started may later be stepped by a third; each start and each step fires
  * an event on the thread that runs what follows.
+ *
+ * <p>It listens as long as there is the simulator, through all replications: at the end of the last one, another
+ * thread may already be removing the simulator's listeners, which is not safe to be done by two.
  */
 final class RunThread implements EventListener {
-    private final Stage stage;
-    private final DevsSimulatorInterface<Double> simulator;
+    private static final long serialVersionUID = 1L;
 
-    private RunThread(Stage stage, DevsSimulatorInterface<Double> simulator) {
-        this.stage = stage;
-        this.simulator = simulator;
+    private final transient Supplier<Optional<Stage>> current;
+
+    /**
+     * Listens to nothing yet.
+     *
+     * @param current gives the stage of the current run; empty if there is none
+     */
+    RunThread(Supplier<Optional<Stage>> current) {
+        this.current = current;
     }
 
     /**
-     * The calling thread steers the drones of a run until the simulator starts; from then on the thread that runs its
-     * events does.
+     * The calling thread steers the drones of the current run until the simulator starts; from then on the thread that
+     * runs its events does.
      */
-    static void follow(Stage stage, DevsSimulatorInterface<Double> simulator) {
-        stage.steerHere();
-        RunThread follower = new RunThread(stage, simulator);
-        simulator.addListener(follower, SimulatorInterface.START_EVENT);
-        simulator.addListener(follower, Replication.END_REPLICATION_EVENT);
+    void begin(DevsSimulatorInterface<Double> simulator) {
+        current.get().ifPresent(Stage::steerHere);
+        // The same listener is not added twice.
+        simulator.addListener(this, SimulatorInterface.START_EVENT);
     }
 
     @Override
     public void notify(Event event) {
-        if (event.getType().equals(SimulatorInterface.START_EVENT)) {
-            stage.steerHere();
-        } else {
-            simulator.removeListener(this, SimulatorInterface.START_EVENT);
-            simulator.removeListener(this, Replication.END_REPLICATION_EVENT);
-        }
+        current.get().ifPresent(Stage::steerHere);
     }
 }

@@ -69,6 +69,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     private transient SceneBuilder builder;
     private transient ModelCache models;
     private transient RunSession session;
+    private transient RunThread thread;
 
     /** A scene with its own simulator, for {@link #run()} and {@link SceneRunner}. */
     protected Scene() {
@@ -347,7 +348,10 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         session = own.flatMap(SceneSimulator::session).orElseGet(this::openSession);
         Pilot steering = own.flatMap(SceneSimulator::pilot).orElseGet(this::pilot);
         PilotedRun run = new PilotedRun(session, getSimulator(), steering.getClass());
-        RunThread.follow(session.stage(), getSimulator());
+        if (thread == null) {
+            thread = new RunThread(() -> Optional.ofNullable(session).map(RunSession::stage));
+        }
+        thread.begin(getSimulator());
         run.begin(steering::begin).ifPresent(warning -> own.ifPresent(simulator -> simulator.warn(warning)));
         scheduleNextLook();
     }
