@@ -29,6 +29,7 @@ class ReadmeTest {
     void itsJavaIsThatOfTheExamples() throws IOException {
         String sources = Files.readString(EXAMPLES.resolve("GateWatch.java"))
                 + Files.readString(EXAMPLES.resolve("GateWatchTest.java"))
+                + Files.readString(EXAMPLES.resolve("FieldWatch.java"))
                 + Files.readString(EXAMPLES.resolve("RangeExperiment.java"))
                 + Files.readString(EXAMPLES.resolve("RangeExperimentTest.java"));
         String pages = readme + Files.readString(Path.of("src", "site", "markdown", "java.md"));
@@ -38,7 +39,7 @@ class ReadmeTest {
             assertThat(sources).contains(blocks.group(1).stripTrailing());
             found++;
         }
-        assertThat(found).isEqualTo(5);
+        assertThat(found).isEqualTo(7);
     }
 
     @Test

@@ -14,8 +14,9 @@ import org.dronewatch.world.World;
 /**
  * Assesses sensors of every kind. If a sensor is not an {@link AssessableSensor}, the assessor takes one look, and
  * derives the cause of a miss from the sensor's field of view and from occlusion. The probability is then that of the
- * look, or 0 or 1 if the look states none; for a drone that the look omits, the quantity is 0 and the threshold 1. One
- * thread at a time.
+ * look, or 0 or 1 if the look states none. A look that states one may have drawn its threshold, so the probability
+ * itself is the quantity, and the threshold is 0.5; for a drone that the look omits, the quantity is 0 and the
+ * threshold 1. One thread at a time.
  */
 public final class Assessor {
     private static final double EVEN_CHANCE = 0.5;
@@ -129,14 +130,20 @@ public final class Assessor {
         }
         Look look = Look.of(rayRandom.nextLong(), id, 0, 0.0).withPointing(pointing);
         Signal signal = ofDrone(sensor.observe(world, List.of(drone), look), drone)
-                .map(seen -> new Signal(seen.probability(), seen.value(), seen.unit(), threshold(seen), 0.0, 0.0))
+                .map(this::signal)
                 .orElse(Signal.certain(0.0, "", 1.0));
         return new Assessment(signal, signal.isDetected() ? Explanation.DETECTED : explainByOutline(drone, pointing));
     }
 
-    /** An observer has had no time to search in a single look: then the threshold is that of an even chance. */
-    private double threshold(Observation seen) {
-        return settings.chance() == Chance.PER_ENCOUNTER ? EVEN_CHANCE : seen.threshold();
+    private Signal signal(Observation seen) {
+        double probability = seen.probability();
+        if (settings.chance() == Chance.PER_ENCOUNTER) {
+            // An observer has had no time to search in a single look.
+            return Signal.of(probability, seen.value(), seen.unit(), EVEN_CHANCE);
+        }
+        return seen.figures().containsKey(Observation.PROBABILITY)
+                ? Signal.of(probability, probability, "", EVEN_CHANCE)
+                : Signal.of(probability, seen.value(), seen.unit(), seen.threshold());
     }
 
     /** The observation of a drone, preferably one that detects it: a look may omit it, and report false alarms. */

@@ -29,10 +29,11 @@ class AssessorTest {
     private static final Position HERE = new Position(0, 0, 0);
 
     /** Detects what is nearer than 100 m, and looks north, 60 degrees wide, from 10 to 500 m. */
-    private record Guard(Position position, boolean hasOutline) implements SensorSettings<Sensor>, Outlined {
+    private record Guard(Position position, boolean hasOutline, Map<String, Double> figures)
+            implements SensorSettings<Sensor>, Outlined {
         @Override
         public Guard withPosition(Position other) {
-            return new Guard(other, hasOutline);
+            return new Guard(other, hasOutline, figures);
         }
 
         @Override
@@ -63,24 +64,41 @@ class AssessorTest {
                                     drone.id(),
                                     drone.distance(HERE),
                                     new Reading(100.0 / drone.distance(HERE), 1.0, ""))
-                            .withFigures(Map.of(Observation.PROBABILITY, 0.25)))
+                            .withFigures(figures))
                     .toList();
         }
     }
 
+    private static Guard guard(boolean hasOutline) {
+        return new Guard(HERE, hasOutline, Map.of());
+    }
+
     private static Cause cause(World world, double east, double north) {
-        return assess(new Guard(HERE, true), world, cube(new Position(east, north, 0)))
-                .cause();
+        return assess(guard(true), world, cube(new Position(east, north, 0))).cause();
     }
 
     @Test
-    void aLookGivesProbabilityAndMargin() {
-        Assessment one = assess(new Guard(HERE, true), open(), cube(new Position(0, 50, 0)));
+    void aLookGivesTheMargin() {
+        Assessment one = assess(guard(true), open(), cube(new Position(0, 50, 0)));
 
         assertThat(one.cause()).isEqualTo(Cause.DETECTED);
-        assertThat(one.probability()).isEqualTo(0.25);
+        assertThat(one.probability()).isEqualTo(1.0);
         assertThat(one.margin()).isEqualTo(1.0);
         assertThat(one.marginDb()).isEqualTo(10.0 * Math.log10(2.0));
+    }
+
+    /** The look itself detects the drone each time here: its threshold may have been drawn. */
+    @Test
+    void aProbabilityThatALookStatesDecides() {
+        Drone drone = cube(new Position(0, 50, 0));
+        for (double probability : new double[] {0.25, 0.5, 0.75}) {
+            Guard guard = new Guard(HERE, true, Map.of(Observation.PROBABILITY, probability));
+            Assessment one = assess(guard, open(), drone);
+
+            assertThat(one.probability()).isEqualTo(probability);
+            assertThat(one.margin()).isEqualTo(probability - 0.5);
+            assertThat(one.cause()).isEqualTo(probability < 0.5 ? Cause.TOO_WEAK : Cause.DETECTED);
+        }
     }
 
     @ParameterizedTest
@@ -124,7 +142,7 @@ class AssessorTest {
         float[] corners = {-9, -9, -50, 9, -9, -50, 9, 9, -50, -9, 9, -50};
         TriangleMesh ground = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
         World world = open().withKnownGround(new KnownGround(new TerrainGround(ground)));
-        Assessor assessor = new Assessor("guard", new Guard(HERE, true), world);
+        Assessor assessor = new Assessor("guard", guard(true), world);
         Assessment one = assessor.assess(near, Optional.empty(), new SplittableRandom(1));
 
         assertThat(one.cause()).isEqualTo(Cause.UNKNOWN);
@@ -137,8 +155,7 @@ class AssessorTest {
     void withoutAnOutlineAllThatIsMissedIsTooWeak() {
         World world = behind(wall(150, -99, 99), ModelRole.TERRAIN);
 
-        assertThat(assess(new Guard(HERE, false), world, cube(new Position(0, 200, 0)))
-                        .cause())
+        assertThat(assess(guard(false), world, cube(new Position(0, 200, 0))).cause())
                 .isEqualTo(Cause.TOO_WEAK);
     }
 

@@ -1,21 +1,29 @@
 package org.dronewatch.sensor.radar;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import org.dronewatch.sensor.radar.LinkBudget.DataSheet;
 import org.dronewatch.sensor.radar.LinkBudget.Hardware;
+import org.dronewatch.sensor.radar.RadarDetection.FixedThreshold;
 import org.dronewatch.setting.AdvisedLimit;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.Quantity;
 
 /** Warnings about settings of a radar that contradict each other. */
 final class RadarAdvice {
+    /** A threshold may differ by this much from what a data sheet implies: by half a percent of the range, dB. */
+    private static final double TOLERANCE = 0.1;
+
     private RadarAdvice() {}
 
     /** One sentence for each contradiction; none for a radar that can be built, or of which too little is stated. */
     static List<String> on(RadarSettings radar) {
-        return Stream.concat(gain(radar).stream(), scan(radar).stream()).toList();
+        return Stream.of(gain(radar), scan(radar), threshold(radar))
+                .flatMap(Optional::stream)
+                .toList();
     }
 
     private static Optional<String> gain(RadarSettings radar) {
@@ -70,6 +78,25 @@ final class RadarAdvice {
                 .orElseGet(() -> String.format(
                         "an antenna of %s dBi needs at least %s",
                         Quantity.LEVEL.inBrief(radar.budget().lowerGain().orElseThrow()), Counted.of(beams, "beam")));
+    }
+
+    /** The range of a data sheet is that of its probability of detection, whatever a fixed threshold is set to. */
+    private static Optional<String> threshold(RadarSettings radar) {
+        if (!(radar.budget() instanceof DataSheet sheet) || !(radar.detection() instanceof FixedThreshold fixed)) {
+            return Optional.empty();
+        }
+        double excess = fixed.on(sheet.fluctuation()).evenThreshold() - sheet.required(fixed.pulses());
+        if (Math.abs(excess) <= TOLERANCE) {
+            return Optional.empty();
+        }
+        return Optional.of(String.format(
+                Locale.ROOT,
+                "with a fixed threshold of %s dB, the target of the data sheet is detected up to %.4g m, not %s m;"
+                        + " 'detection: chance' or a 'signalToNoise' of %.2f dB gives the range of the data sheet",
+                Quantity.LEVEL.inBrief(fixed.signalToNoise()),
+                sheet.range() * Math.pow(10.0, -excess / 40.0),
+                Quantity.LENGTH.inBrief(sheet.range()),
+                fixed.signalToNoise() - excess));
     }
 
     private static String degrees(double azimuth, double elevation) {

@@ -269,6 +269,7 @@ class RadarSensorTest {
                 .isCloseTo(7000, within(50.0));
         assertThat(wide.withBudget(BUDGET.withReceiveGain(10)).advice()).isEmpty();
         assertThat(wide.withBudget(new LinkBudget.DataSheet(900, 1, 0.9, 1e-6, Fluctuation.STEADY))
+                        .withDetection(RadarDetection.Chance.DEFAULT)
                         .advice())
                 .isEmpty();
     }
