@@ -182,9 +182,11 @@ final class Prober {
                 .anyMatch(this::isDetected);
     }
 
-    /** An observer has had no time to search in a single look. */
+    /** By the probability, if it is stated: an observer has had no time to search in a single look. */
     private boolean isDetected(Observation seen) {
-        return settings.chance() == Chance.PER_ENCOUNTER ? seen.probability() >= EVEN_CHANCE : seen.isDetected();
+        return settings.chance() == Chance.PER_ENCOUNTER || seen.statesProbability()
+                ? seen.probability() >= EVEN_CHANCE
+                : seen.isDetected();
     }
 
     Optional<Assessment> assess(int column, int row) {

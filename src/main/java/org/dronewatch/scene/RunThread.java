@@ -6,6 +6,7 @@ import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import nl.tudelft.simulation.dsol.simulators.SimulatorInterface;
 import org.djutils.event.Event;
 import org.djutils.event.EventListener;
+import org.djutils.event.reference.ReferenceType;
 import org.dronewatch.run.Stage;
 
 /**
@@ -13,8 +14,8 @@ import org.dronewatch.run.Stage;
  * events on another, and a simulator that was started may later be stepped by a third; each start and each step fires
  * an event on the thread that runs what follows.
  *
- * <p>It listens as long as there is the simulator, through all replications: at the end of the last one, another
- * thread may already be removing the simulator's listeners, which is not safe to be done by two.
+ * <p>It never stops listening by itself: at the end of the last replication, another thread may already be removing the
+ * simulator's listeners, which is not safe to be done by two. The simulator holds it by a weak reference only.
  */
 final class RunThread implements EventListener {
     private static final long serialVersionUID = 1L;
@@ -37,7 +38,7 @@ final class RunThread implements EventListener {
     void begin(DevsSimulatorInterface<Double> simulator) {
         current.get().ifPresent(Stage::steerHere);
         // The same listener is not added twice.
-        simulator.addListener(this, SimulatorInterface.START_EVENT);
+        simulator.addListener(this, SimulatorInterface.START_EVENT, ReferenceType.WEAK);
     }
 
     @Override

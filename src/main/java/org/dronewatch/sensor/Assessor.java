@@ -137,20 +137,17 @@ public final class Assessor {
 
     private Signal signal(Observation seen) {
         double probability = seen.probability();
-        if (settings.chance() == Chance.PER_ENCOUNTER) {
-            // An observer has had no time to search in a single look.
-            return Signal.of(probability, seen.value(), seen.unit(), EVEN_CHANCE);
-        }
-        return seen.figures().containsKey(Observation.PROBABILITY)
+        // An observer has had no time to search in a single look.
+        return settings.chance() == Chance.PER_ENCOUNTER || seen.statesProbability()
                 ? Signal.of(probability, probability, "", EVEN_CHANCE)
                 : Signal.of(probability, seen.value(), seen.unit(), seen.threshold());
     }
 
-    /** The observation of a drone, preferably one that detects it: a look may omit it, and report false alarms. */
+    /** The likeliest observation of a drone: a look may omit it, or contain several, and false alarms. */
     private static Optional<Observation> ofDrone(List<Observation> look, Drone drone) {
         return look.stream()
                 .filter(one -> one.drone().equals(drone.id()))
-                .min(Comparator.comparing(one -> !one.isDetected()));
+                .max(Comparator.comparing(Observation::probability));
     }
 
     /**

@@ -138,6 +138,11 @@ public record Observation(
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);
     }
 
+    /** Whether the look states the {@link #probability()}. */
+    public boolean statesProbability() {
+        return figures.containsKey(PROBABILITY);
+    }
+
     /** This observation, marked as one whose line of sight leaves the known ground. */
     public Observation asUnknown() {
         return with(UNKNOWN);

@@ -8,9 +8,11 @@ import static org.dronewatch.sensor.Walls.cube;
 import static org.dronewatch.sensor.Walls.open;
 import static org.dronewatch.sensor.Walls.wall;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -29,11 +31,11 @@ class AssessorTest {
     private static final Position HERE = new Position(0, 0, 0);
 
     /** Detects what is nearer than 100 m, and looks north, 60 degrees wide, from 10 to 500 m. */
-    private record Guard(Position position, boolean hasOutline, Map<String, Double> figures)
+    private record Guard(Position position, boolean hasOutline, List<Double> probabilities)
             implements SensorSettings<Sensor>, Outlined {
         @Override
         public Guard withPosition(Position other) {
-            return new Guard(other, hasOutline, figures);
+            return new Guard(other, hasOutline, probabilities);
         }
 
         @Override
@@ -58,19 +60,55 @@ class AssessorTest {
 
         @Override
         public Sensor create() {
-            return (world, drones, look) -> drones.stream()
-                    .map(drone -> new Observation(
-                                    look.id(kind()),
-                                    drone.id(),
-                                    drone.distance(HERE),
-                                    new Reading(100.0 / drone.distance(HERE), 1.0, ""))
-                            .withFigures(figures))
-                    .toList();
+            return (world, drones, look) ->
+                    drones.stream().flatMap(drone -> seen(drone, look)).toList();
+        }
+
+        private Stream<Observation> seen(Drone drone, Look look) {
+            double distance = drone.distance(HERE);
+            Observation one =
+                    new Observation(look.id(kind()), drone.id(), distance, new Reading(100.0 / distance, 1.0, ""));
+            return probabilities.isEmpty()
+                    ? Stream.of(one)
+                    : probabilities.stream().map(p -> one.withFigures(Map.of(Observation.PROBABILITY, p)));
+        }
+    }
+
+    /** The same, but it searches, so that chance decides once per encounter. */
+    private record Searcher(Guard guard) implements SensorSettings<Sensor> {
+        @Override
+        public Position position() {
+            return guard.position();
+        }
+
+        @Override
+        public Searcher withPosition(Position other) {
+            return new Searcher(guard.withPosition(other));
+        }
+
+        @Override
+        public double rate() {
+            return guard.rate();
+        }
+
+        @Override
+        public String kind() {
+            return "searcher";
+        }
+
+        @Override
+        public Chance chance() {
+            return Chance.PER_ENCOUNTER;
+        }
+
+        @Override
+        public Sensor create() {
+            return guard.create();
         }
     }
 
     private static Guard guard(boolean hasOutline) {
-        return new Guard(HERE, hasOutline, Map.of());
+        return new Guard(HERE, hasOutline, List.of());
     }
 
     private static Cause cause(World world, double east, double north) {
@@ -92,13 +130,34 @@ class AssessorTest {
     void aProbabilityThatALookStatesDecides() {
         Drone drone = cube(new Position(0, 50, 0));
         for (double probability : new double[] {0.25, 0.5, 0.75}) {
-            Guard guard = new Guard(HERE, true, Map.of(Observation.PROBABILITY, probability));
+            Guard guard = new Guard(HERE, true, List.of(probability));
             Assessment one = assess(guard, open(), drone);
 
             assertThat(one.probability()).isEqualTo(probability);
             assertThat(one.margin()).isEqualTo(probability - 0.5);
             assertThat(one.cause()).isEqualTo(probability < 0.5 ? Cause.TOO_WEAK : Cause.DETECTED);
         }
+    }
+
+    /** A look may contain a drone more than once, and its draw may detect it by a less likely observation alone. */
+    @Test
+    void theLikeliestObservationCounts() {
+        Guard guard = new Guard(HERE, true, List.of(0.1, 0.9, 0.3));
+        Assessment one = assess(guard, open(), cube(new Position(0, 50, 0)));
+
+        assertThat(one.probability()).isEqualTo(0.9);
+        assertThat(one.cause()).isEqualTo(Cause.DETECTED);
+    }
+
+    /** What a search measures is no probability, with which the threshold of an encounter could be compared. */
+    @Test
+    void anEncounterIsDecidedByItsProbability() {
+        Searcher searcher = new Searcher(new Guard(HERE, true, List.of(0.01)));
+        Assessment one = new Assessor("searcher", searcher, open())
+                .assess(cube(new Position(0, 50, 0)), Optional.empty(), new SplittableRandom(1));
+
+        assertThat(one.cause()).isEqualTo(Cause.TOO_WEAK);
+        assertThat(one.margin()).isEqualTo(0.01 - 0.5);
     }
 
     @ParameterizedTest

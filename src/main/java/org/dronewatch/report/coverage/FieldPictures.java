@@ -127,7 +127,7 @@ final class FieldPictures {
             below = bound;
         }
         sheet.entry(HeightFills.of(grid, Double.NaN), "not up to " + metres(below));
-        if (Arrays.stream(ground).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
+        if (Arrays.stream(ground).anyMatch(ReliefShade::isNothing)) {
             sheet.entry((u, v, any) -> fill(grid, Double.NaN).at(u, v, ReliefShade.NOTHING.getRGB()), "no ground");
         }
         if (grid.count(grid::isOutside) > 0) {
@@ -144,8 +144,7 @@ final class FieldPictures {
     private static MapSheet.Fill fill(FieldGrid grid, double height) {
         MapSheet.Fill fill = HeightFills.of(grid, height);
         return Double.isNaN(height)
-                ? (u, v, below) ->
-                        (below == ReliefShade.NOTHING.getRGB() ? CauseFills.of(Cause.UNKNOWN) : fill).at(u, v, below)
+                ? (u, v, below) -> (ReliefShade.isNothing(below) ? CauseFills.of(Cause.UNKNOWN) : fill).at(u, v, below)
                 : fill;
     }
 

@@ -76,7 +76,7 @@ public final class WarningMap {
         if (warnings.isZone()) {
             sheet.sample(Color.BLACK, "protected zone");
         }
-        if (Arrays.stream(below).anyMatch(colour -> colour == ReliefShade.NOTHING.getRGB())) {
+        if (Arrays.stream(below).anyMatch(ReliefShade::isNothing)) {
             sheet.entry((u, v, any) -> pale(u, v, ReliefShade.NOTHING.getRGB()), "height of the ground unknown");
         }
         sheet.explainSensors();
@@ -90,7 +90,7 @@ public final class WarningMap {
 
     /** The ground below the lines; a pattern where nothing is known of it. */
     private static int pale(int u, int v, int ground) {
-        return ground == ReliefShade.NOTHING.getRGB()
+        return ReliefShade.isNothing(ground)
                 ? CauseFills.of(Cause.UNKNOWN).at(u, v, ground)
                 : ColourMix.of(ground, Color.WHITE, 0.35);
     }

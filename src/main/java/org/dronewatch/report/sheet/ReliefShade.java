@@ -66,6 +66,11 @@ public final class ReliefShade {
         this.colours = world.materialNames().stream().map(ReliefShade::colour).toArray(int[][]::new);
     }
 
+    /** Whether the colour of a pixel says that there is no ground. */
+    public static boolean isNothing(int pixel) {
+        return (pixel & 0xffffff) == (NOTHING.getRGB() & 0xffffff);
+    }
+
     private static int[] colour(String material) {
         if (material.equals(LandClass.WATER.material())) {
             return WATER;

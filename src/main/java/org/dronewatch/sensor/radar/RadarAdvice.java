@@ -86,17 +86,21 @@ final class RadarAdvice {
             return Optional.empty();
         }
         double excess = fixed.on(sheet.fluctuation()).evenThreshold() - sheet.required(fixed.pulses());
-        if (Math.abs(excess) <= TOLERANCE) {
+        double reached = sheet.range() * Math.pow(10.0, -excess / 40.0);
+        boolean isCutOff = Math.min(reached, sheet.range()) >= radar.maxRange();
+        if (Math.abs(excess) <= TOLERANCE || isCutOff) {
             return Optional.empty();
         }
         return Optional.of(String.format(
                 Locale.ROOT,
-                "with a fixed threshold of %s dB, the target of the data sheet is detected up to %.4g m, not %s m;"
-                        + " 'detection: chance' or a 'signalToNoise' of %.2f dB gives the range of the data sheet",
+                "with a fixed threshold of %s dB, the target of the data sheet is detected up to %s m, not %s m; a"
+                        + " 'signalToNoise' of %.2f dB or 'detection: {kind: chance, falseAlarm: %s}' gives the range of the"
+                        + " data sheet",
                 Quantity.LEVEL.inBrief(fixed.signalToNoise()),
-                sheet.range() * Math.pow(10.0, -excess / 40.0),
+                Quantity.LENGTH.inBrief(reached),
                 Quantity.LENGTH.inBrief(sheet.range()),
-                fixed.signalToNoise() - excess));
+                fixed.signalToNoise() - excess,
+                sheet.falseAlarm()));
     }
 
     private static String degrees(double azimuth, double elevation) {

@@ -186,9 +186,9 @@ public record RadarSettings(
     /**
      * A radar that scans through 360 degrees once per second, over 20 degrees of elevation with a horizontal axis, at
      * 10 GHz with horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, with a fixed
-     * threshold of 15 dB; its position errors are 5 m and one degree. Looks do not depend on chance unless {@link
-     * #withDetection} says so. For a {@link LinkBudget.DataSheet}, choose {@link RadarDetection.Chance} or the
-     * threshold that the data sheet implies.
+     * threshold of 15 dB; its position errors are 5 m and one degree. Whether a look detects does not depend on chance
+     * unless {@link #withDetection} says so. For a {@link LinkBudget.DataSheet}, choose {@link RadarDetection.Chance},
+     * or the threshold that the data sheet implies.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {

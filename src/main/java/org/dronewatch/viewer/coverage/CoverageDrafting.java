@@ -24,7 +24,7 @@ final class CoverageDrafting implements AutoCloseable {
     /** The least time between two pictures of the same layout, s. */
     private static final double PAUSE = 0.3;
 
-    /** The first picture has the cores to itself while it is painted, but not for longer than this, s. */
+    /** The first picture has the cores to itself until it is painted or sensors move on, at most for so long, s. */
     private static final double PAINTING = 0.1;
 
     private static final double NANO = 1e-9;

@@ -218,10 +218,10 @@ class CoverageTest {
      * Reports drones in the east alone, after something that is none: of those in the west it has no observation at
      * all.
      */
-    private record Eastward(Position position) implements SensorSettings<Sensor> {
+    private record Eastward(Position position, Map<String, Double> figures) implements SensorSettings<Sensor> {
         @Override
         public Eastward withPosition(Position other) {
-            return new Eastward(other);
+            return new Eastward(other, figures);
         }
 
         @Override
@@ -242,14 +242,15 @@ class CoverageTest {
                             drones.stream()
                                     .filter(drone -> drone.position().x > position.x())
                                     .map(drone -> new Observation(
-                                            look.id(kind()), drone.id(), drone.distance(position), enough)))
+                                                    look.id(kind()), drone.id(), drone.distance(position), enough)
+                                            .withFigures(figures)))
                     .toList();
         }
     }
 
     @Test
     void aSensorMayReportNothingOfADroneAndSomethingThatIsNone() {
-        Coverage half = coverage(settings.withSensor("half", new Eastward(new Position(0, 0, 2))), 2);
+        Coverage half = coverage(settings.withSensor("half", new Eastward(new Position(0, 0, 2), Map.of())), 2);
         assertThat(half.area("half")).isEqualTo(200.0 * 400.0);
         assertThat(half.causes("half")).containsExactly(Map.entry(Cause.TOO_WEAK, 5000));
 
@@ -259,6 +260,20 @@ class CoverageTest {
         Assessment east = half.assess("half", 90, 10).orElseThrow();
         assertThat(east.cause()).isEqualTo(Cause.DETECTED);
         assertThat(east.quantity()).isEqualTo(2.0);
+    }
+
+    /** Each of its looks happens to detect the drone: what counts is the probability of that. */
+    @Test
+    void aProbabilityThatASensorStatesDecides() {
+        for (double probability : new double[] {0.25, 0.75}) {
+            Eastward sensor = new Eastward(new Position(0, 0, 2), Map.of(Observation.PROBABILITY, probability));
+            Coverage half = coverage(settings.withSensor("half", sensor), 2);
+            boolean isLikely = probability >= 0.5;
+
+            assertThat(half.area("half")).isEqualTo(isLikely ? 200.0 * 400.0 : 0.0);
+            assertThat(half.assess("half", 90, 10).orElseThrow().cause())
+                    .isEqualTo(isLikely ? Cause.DETECTED : Cause.TOO_WEAK);
+        }
     }
 
     @Test

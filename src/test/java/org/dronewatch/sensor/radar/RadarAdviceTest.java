@@ -1,6 +1,7 @@
 package org.dronewatch.sensor.radar;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Locale;
 import java.util.regex.Matcher;
@@ -32,8 +33,9 @@ class RadarAdviceTest {
         assertThat(radar.advice())
                 .containsExactly(String.format(
                         Locale.ROOT,
-                        "with a fixed threshold of 15 dB, the target of the data sheet is detected up to %.4g m, not 500 m;"
-                                + " 'detection: chance' or a 'signalToNoise' of 13.18 dB gives the range of the data sheet",
+                        "with a fixed threshold of 15 dB, the target of the data sheet is detected up to %.1f m, not 500 m; a"
+                                + " 'signalToNoise' of 13.18 dB or 'detection: {kind: chance, falseAlarm: 1.0E-6}' gives the"
+                                + " range of the data sheet",
                         reached));
         assertThat(radar.withDetection(RadarDetection.Chance.DEFAULT).advice()).isEmpty();
     }
@@ -55,6 +57,36 @@ class RadarAdviceTest {
                         CROSS_SECTION,
                         threshold.on(fluctuation).evenThreshold()))
                 .isBetween(0.999 * RANGE, 1.001 * RANGE);
+    }
+
+    /** With the false alarms of the data sheet, its target has its probability at its range. */
+    @Test
+    void theAdvisedChanceGivesTheProbability() {
+        DataSheet sheet = new DataSheet(RANGE, CROSS_SECTION, 0.8, 1e-4, Fluctuation.STEADY);
+        RadarSettings radar = radar(sheet);
+        assertThat(radar.advice()).singleElement().asString().contains("falseAlarm: 1.0E-4}");
+        RadarDetection.Chance chance = new RadarDetection.Chance(1e-4, 1);
+        double ratio = sheet.signalToNoise(radar.frequency(), CROSS_SECTION, RANGE);
+
+        assertThat(chance.on(Fluctuation.STEADY).probability(ratio)).isCloseTo(0.8, within(1e-6));
+    }
+
+    /** Beyond its largest range the radar processes no echo, whatever the threshold. */
+    @Test
+    void thereIsNothingToSayBeyondTheLargestRange() {
+        RadarSettings radar = radar(DataSheet.of(RANGE, CROSS_SECTION));
+        assertThat(radar.withRanges(20, 450).advice()).isEmpty();
+        assertThat(radar.withRanges(20, 451).advice()).hasSize(1);
+    }
+
+    @Test
+    void longRangesAreWrittenOut() {
+        assertThat(radar(DataSheet.of(20_000, CROSS_SECTION))
+                        .withRanges(20, 30_000)
+                        .advice())
+                .singleElement()
+                .asString()
+                .contains("up to 18010 m, not 20000 m");
     }
 
     @Test
