@@ -5,7 +5,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Option;
 
-/** The option {@code --drone}, for commands that put one drone of the scene at places of their own choosing. */
+/** The option {@code --drone}, for commands that move one drone of the scene to many positions. */
 public final class DroneOption {
     @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
     private String drone;
