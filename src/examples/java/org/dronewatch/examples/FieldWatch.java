@@ -33,7 +33,8 @@ public class FieldWatch extends Scene {
                         .withSpeed(15.0)
                         .withRadar(RadarSignature.of(DroneClass.SMALL_UAV)));
 
-        // It detects a steady 0.05 m2 at 500 m with a probability of 90 %; noise and the echo's fluctuation are random.
+        // The radar detects a steady target of 0.05 m2 at 500 m with a probability of 90 %. Here, noise and the
+        // fluctuation of the echo are random.
         Position mast = new Position(0, 0, 150);
         add(
                 "radar",

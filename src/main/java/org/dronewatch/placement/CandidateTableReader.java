@@ -70,7 +70,7 @@ public final class CandidateTableReader {
         Integer number = numbers.get(candidate);
         if (candidate.isEmpty()) {
             if (!Double.isNaN(undetected[row])) {
-                throw line.fault(ROW, "has two impacts where no candidate detects anything");
+                throw line.fault(ROW, "gives the impact without a detection twice");
             }
             undetected[row] = value;
         } else if (number == null) {

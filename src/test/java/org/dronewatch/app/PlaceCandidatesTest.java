@@ -160,7 +160,7 @@ class PlaceCandidatesTest {
         String printed = placed("budget: 9\nconditions: {anyoneLost: {atLeast: 0.2}}\n");
 
         Matcher remains = Pattern.compile("The first( \\d)? purchases? alone do(es)? not meet the conditions"
-                        + " \\(after the worst loss, (\\d+\\.\\d) % remain\\)\\.")
+                        + " \\(after the worst loss, (\\d+\\.\\d) % remains\\)\\.")
                 .matcher(printed);
 
         assertThat(remains.find()).as(printed).isTrue();

@@ -76,7 +76,7 @@ class PlaceFoldTest {
         }
         assertThat(json.get("detected").asInt())
                 .isBetween(1, json.get("flights").asInt());
-        assertThat(outcome.out().contains(" before they arrive with 2 sensors or more"))
+        assertThat(outcome.out().contains(", 2 sensors or more detect the drone before it arrives"))
                 .isEqualTo(fold == 2);
         assertThat(outcome.out().contains("the layout was chosen for warnings that begin only when 2 sensors"))
                 .isEqualTo(fold == 2);

@@ -96,7 +96,7 @@ class CandidateTableReaderTest {
             value = {
                 "S,E,1                | v.csv:2: candidate 'E': is not in the table of candidates",
                 "S,A,1,1~S,A,2,1      | v.csv:3: candidate 'A': has two values in row 'S'",
-                "S,,1,1~S,,2,1        | v.csv:3: row 'S': has two impacts where no candidate detects anything",
+                "S,,1,1~S,,2,1        | v.csv:3: row 'S': gives the impact without a detection twice",
                 "S,A,1,1~S,B,2,2      | v.csv:3: weight '2': differs from that of an earlier line of row 'S'",
                 "S,A,,1               | v.csv:2: value is empty",
                 "S,A,Infinity,1       | v.csv:2: value 'Infinity': must be a number of 0 or more",

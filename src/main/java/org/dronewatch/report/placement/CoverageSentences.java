@@ -62,10 +62,10 @@ final class CoverageSentences {
                 .map(fields -> {
                     HeightSummary least = leastCovered(fields);
                     return "With all its sensors, the layout covers least at " + PlaceTable.text("%.0f", least.height())
-                            + " m above the ground"
-                            + FieldsTable.byOne(fold) + ":"
+                            + " m above the ground:"
                             + (best.headings() > 1 ? " on the heading that is worst in each cell, " : " ")
-                            + new HeightFigures(least).covered() + " %.";
+                            + new HeightFigures(least).covered() + " %"
+                            + (fold > 1 ? ", counting every cell that at least one sensor covers." : ".");
                 })
                 .orElse("");
     }

@@ -9,7 +9,7 @@ import org.dronewatch.report.CompassPoint;
 record DetectionMeasure() implements PlaceMeasure {
     @Override
     public String purpose() {
-        return ", for the weakest route";
+        return ", judged by its weakest route";
     }
 
     @Override

@@ -69,8 +69,8 @@ final class FieldsTable {
         List<String> sentences = new ArrayList<>();
         int fold = layout.plan().settings().conditions().fold();
         if (fold > 1) {
-            sentences.add("The coverage by height is that by one sensor or more; the layout was chosen for what " + fold
-                    + " sensors or more cover.");
+            sentences.add("The coverage by height counts every cell that at least one sensor covers; the layout was"
+                    + " chosen for what " + fold + " sensors or more cover.");
         }
         if (!new Cues(layout.plan()).uncuedWithout(layout.chosen()).isEmpty()) {
             sentences.add(

@@ -116,7 +116,7 @@ final class PlaceTable {
         return layout.early().map(early -> {
             List<String> reasons = new ArrayList<>();
             early.afterLoss()
-                    .ifPresent(value -> reasons.add("after the worst loss, " + measure.text(value) + " remain"));
+                    .ifPresent(value -> reasons.add("after the worst loss, " + measure.text(value) + " remains"));
             if (!early.uncued().isEmpty()) {
                 reasons.add("nothing cues " + PlainText.list(early.uncued()));
             }

@@ -98,7 +98,8 @@ final class RouteSentences {
                     + ", but no layout within the budget that meets the conditions does.");
         }
         return Optional.of("From the " + directions(least, exposure -> exposure > 0.0) + ", " + affordable()
-                + " detect the drone" + probability + ": there, gaps can be closed. To detect it from the "
+                + (best.affordable() == 1 ? " detects" : " detect") + " the drone" + probability
+                + ": there, gaps can be closed. To detect it from the "
                 + directions(least, exposure -> exposure == 0.0)
                 + " takes candidates of other kinds or at other places.");
     }

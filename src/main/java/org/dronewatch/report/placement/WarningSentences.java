@@ -44,10 +44,12 @@ final class WarningSentences {
 
     /** How many flights the layout detects at all, and the longest warning that can be found. */
     String detected() {
-        return "The layout detects " + best.detected() + " of " + Counted.of(best.flights(), "flight")
-                + " before they arrive" + (fold() > 1 ? " with " + fold() + " sensors or more" : "")
+        String flights = best.detected() + " of " + Counted.of(best.flights(), "flight");
+        return (fold() > 1
+                        ? "In " + flights + ", " + fold() + " sensors or more detect the drone before it arrives"
+                        : "The layout detects " + flights + " before they arrive")
                 + (best.byCondition().isEmpty() ? "" : ", under every condition")
-                + "; the warning of one that is detected where it begins is at most "
+                + "; a flight that is detected where it begins gives a warning of at most "
                 + measure.text(best.longest()) + ".";
     }
 }

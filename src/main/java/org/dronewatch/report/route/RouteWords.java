@@ -52,8 +52,9 @@ final class RouteWords {
             String often = isMostly ? " most of the time" : " part of the time";
             return switch (cause) {
                 case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
-                case TOO_SLOW, TOO_FAST -> "across the line of sight or at a speed that radars reject" + often;
-                case UNKNOWN -> "where the line of sight leaves the known ground" + often;
+                case TOO_SLOW, TOO_FAST ->
+                    often.strip() + " flying across radars' lines of sight or at a speed that they reject";
+                case UNKNOWN -> often.strip() + " where the sensors' lines of sight leave the known ground";
                 case SILENT ->
                     (isMostly ? "mostly" : often.strip()) + " without emitting anything that the sensors recognise";
                 default -> CoverageTable.name(cause) + often;

@@ -42,7 +42,7 @@ public final class SettingsPanel extends JPanel {
     private final JButton redo = new JButton("Redo");
     private final JButton again = new JButton("Run again");
     private final JButton save = new JButton("Save scene as ...");
-    private final WrappedText said = new WrappedText("what was done with the setting");
+    private final WrappedText said = new WrappedText("last change to the setting");
     private final transient SensorLayout layout;
     private final transient SettingsModel model;
     private final transient Consumer<String> messages;
