@@ -114,7 +114,7 @@ class PlaceFlownTest {
                     .orElseThrow();
             assertThat(loss.get("p_in_time").asDouble()).isLessThan(0.5).isCloseTo(least, within(1e-6));
         }
-        String words = "Without slow-1 or slow-2, the layout detects the drone with a probability of ";
+        String words = "If slow-1 or slow-2 is lost, the layout detects the drone with a probability of ";
         assertThat(place.outcome().out())
                 .containsPattern("(?m)^" + words
                         + ".*, as the search estimates it\\. In flights past the layout without each of these"

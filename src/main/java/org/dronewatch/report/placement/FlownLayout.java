@@ -44,14 +44,14 @@ public record FlownLayout(RouteInputs inputs, RouteResults results) {
     }
 
     /**
-     * Why the search misjudges a route, in a clause after a comma; an empty text if it does not.
+     * Why the search misjudges a route, in a clause; an empty text if it does not.
      *
-     * @param search what the search is called, {@code it} or {@code the search}
+     * @param before what comes before the clause, in which the search is called {@code it}
      */
-    String because(SectorRoute route, String search) {
+    String because(SectorRoute route, String before) {
         return RouteTable.misjudgement(route, results, inputs)
                 .map(FlownLayout::asSettings)
-                .map(reason -> ", because " + search + " " + reason)
+                .map(reason -> before + " because it " + reason)
                 .orElse("");
     }
 }

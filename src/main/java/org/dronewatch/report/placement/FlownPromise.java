@@ -53,7 +53,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         return broken().map(route -> "As flown, the layout detects the drone in time with a probability of only "
                 + FrontWords.percent(layout.orElseThrow().inTime(route)) + " on the weakest route past it, "
                 + FlownLayout.from(route) + "; the search estimates " + promised()
-                + layout.orElseThrow().because(route, "it") + ".");
+                + layout.orElseThrow().because(route, ",") + ".");
     }
 
     /** What remains without the sensors whose loss is worst, in sentences; empty if it is not known. */
@@ -86,7 +86,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         return all.stream().min(Comparator.comparingDouble(Loss::inTime)).map(least -> {
             String chance = "detected in time with a probability of " + FrontWords.percent(least.inTime())
                     + ", on the route " + FlownLayout.from(least.route())
-                    + least.flown().because(least.route(), "the search") + ".";
+                    + least.flown().because(least.route(), "; the search estimates otherwise") + ".";
             String sentence = all.size() == 1
                     ? " In flights past the layout without " + least.sensor() + ", the drone is " + chance
                     : " In flights past the layout without each of these sensors in turn, the worst case is the loss"

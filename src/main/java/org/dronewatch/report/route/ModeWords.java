@@ -18,26 +18,26 @@ final class ModeWords {
     private ModeWords() {}
 
     /**
-     * {@code , slowed for 40 s to 2.97 m/s, which a radar rejects, with its motors off for the last 20 s}; empty if it
-     * does neither.
+     * {@code , slowing down for 40 s to 2.97 m/s, which a radar rejects, with its motors off for the last 20 s}; empty
+     * if it does neither.
      */
     static String clause(SectorRoute route, RouteSurvey survey) {
         OptionalDouble slow = slowed(route, survey);
         OptionalDouble glide = gliding(route, survey);
         return (slow.isPresent()
-                        ? ", slowed for " + RouteNumbers.seconds(slow) + " to " + speeds(Stream.of(route), survey)
-                                + ", which a radar rejects"
+                        ? ", slowing down for " + RouteNumbers.seconds(slow) + " to "
+                                + speeds(Stream.of(route), survey) + ", which a radar rejects"
                         : "")
                 + (glide.isPresent() ? ", with its motors off for the last " + RouteNumbers.seconds(glide) : "");
     }
 
-    /** What the drone may do within its limits: {@code , may slow down to 2.97 m/s, and may stop its motors once}. */
+    /** What the drone may do within its limits: {@code ; it may slow down to 2.97 m/s, and may stop its motors once}. */
     static String abilities(RouteSurvey survey) {
         String speeds = speeds(survey.modes().stream().filter(RouteMode::isSlow));
         boolean isAlwaysSlow = survey.modes().stream().allMatch(mode -> mode.isSlow() || mode.isGlide());
         return (speeds.isEmpty()
                         ? ""
-                        : isAlwaysSlow ? ", at " + speeds : ", may slow down to " + speeds + " at any time")
+                        : isAlwaysSlow ? ", at " + speeds : "; it may slow down to " + speeds + " at any time")
                 + (survey.modes().stream().anyMatch(RouteMode::isGlide)
                         ? ", and may stop its motors once to glide on"
                         : "");
