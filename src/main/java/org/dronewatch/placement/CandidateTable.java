@@ -45,7 +45,7 @@ public final class CandidateTable {
         if (columns.size() != candidates.size() || undetected.length != weights.length) {
             throw new IllegalArgumentException(
                     candidates.size() + " candidates, but " + columns.size() + " columns; " + weights.length
-                            + " weights, but " + undetected.length + " impacts where no candidate detects anything");
+                            + " weights, but " + undetected.length + " impacts without a detection");
         }
         Set<String> names = new HashSet<>();
         for (int number = 0; number < candidates.size(); number++) {
@@ -62,7 +62,7 @@ public final class CandidateTable {
             throw new IllegalArgumentException("weights must be 0 or more");
         }
         if (Arrays.stream(undetected).anyMatch(impact -> impact < 0.0 || Double.isInfinite(impact))) {
-            throw new IllegalArgumentException("impacts where no candidate detects anything must be 0 or more");
+            throw new IllegalArgumentException("impacts without a detection must be 0 or more");
         }
         this.candidates = List.copyOf(candidates);
         this.columns = List.copyOf(columns);

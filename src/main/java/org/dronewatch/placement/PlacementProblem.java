@@ -56,8 +56,8 @@ public final class PlacementProblem {
             if (!Double.isNaN(table.undetected(row))) {
                 worst[row] = table.undetected(row);
             } else if (counts[row] < table.size()) {
-                throw new IllegalArgumentException("row " + row + ": " + counts[row] + " of " + table.size()
-                        + " candidates have an impact: the impact where no candidate detects anything is missing");
+                throw new IllegalArgumentException("row " + row + ": impacts for " + counts[row] + " of " + table.size()
+                        + " candidates only, and the impact without a detection is missing");
             }
         }
         return worst;

@@ -43,7 +43,7 @@ final class PlacingPanel extends JPanel {
     private final JButton reset = new JButton("Reset all");
     private final JButton save = new JButton("Save scene as ...");
     private final WrappedText said = new WrappedText("last change to the sensor");
-    private final WrappedText covered = new WrappedText("what is covered now");
+    private final WrappedText covered = new WrappedText("current coverage");
     private final transient SensorLayout layout;
     private final transient SensorMover mover;
     private final transient CoveragePanel coverage;

@@ -246,7 +246,7 @@ class PlaceCandidatesTest {
         assertThat(asked.code()).isEqualTo(2);
         assertThat(asked.err())
                 .contains("no layout was found that keeps to it and to the limits on the numbers of sensors, and"
-                        + " leaves a coverage of 0.01 after the loss of any one");
+                        + " leaves a coverage of 0.01 after the loss of any one sensor");
     }
 
     @Test

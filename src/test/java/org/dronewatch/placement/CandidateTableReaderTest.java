@@ -129,7 +129,7 @@ class CandidateTableReaderTest {
 
         assertThatThrownBy(() -> new PlacementProblem(table, PlacementObjective.WORST_IMPACT, PlacementConditions.NONE))
                 .hasMessage(
-                        "row 0: 1 of 4 candidates have an impact: the impact where no candidate detects anything is missing");
+                        "row 0: impacts for 1 of 4 candidates only, and the impact without a detection is missing");
     }
 
     private CandidateTable table(String candidates, String values) throws IOException {

@@ -38,7 +38,7 @@ public final class PlanConditions {
                 "budget " + Quantity.NUMBER.inWords(plan.settings().budget())
                         + ": no layout was found that keeps to it and to the limits on the numbers of sensors"
                         + remaining
-                                .map(what -> ", and leaves " + what + " after the loss of any one")
+                                .map(what -> ", and leaves " + what + " after the loss of any one sensor")
                                 .orElse(""));
     }
 }

@@ -130,7 +130,7 @@ public final class WarningWords {
                     + (isOneHeight
                             ? ": at " + number(height) + " m above the ground, from "
                                     + least(at(height)).directions() + "."
-                            : ", in " + cases + ".");
+                            : "; this happens in " + cases + ".");
         }
         return first + (warnings.response() > 0.0 ? required() : "");
     }

@@ -99,7 +99,7 @@ final class RouteSentences {
         }
         return Optional.of("From the " + directions(least, exposure -> exposure > 0.0) + ", " + affordable()
                 + (best.affordable() == 1 ? " detects" : " detect") + " the drone" + probability
-                + ": there, gaps can be closed. To detect it from the "
+                + ": there, gaps can be closed. Detecting it from the "
                 + directions(least, exposure -> exposure == 0.0)
                 + " takes candidates of other kinds or at other places.");
     }

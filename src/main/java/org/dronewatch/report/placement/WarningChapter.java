@@ -84,7 +84,7 @@ final class WarningChapter {
                                 .map(height -> number(height))
                                 .collect(Collectors.joining(", "))
                         + " m above the ground, and the sensors look for it every "
-                        + number(best.grid().cell()) + " m: a sensor that sees it over a shorter distance may be"
+                        + number(best.grid().cell()) + " m: what a sensor detects over a shorter distance may be"
                         + " missed.",
                 PlaceReport.flight(plan)));
         new WarningSentences(best, results.measure()).difference().ifPresent(scope::add);

@@ -31,7 +31,7 @@ final class ModeWords {
                 + (glide.isPresent() ? ", with its motors off for the last " + RouteNumbers.seconds(glide) : "");
     }
 
-    /** What the drone may do within its limits: {@code ; it may slow down to 2.97 m/s, and may stop its motors once}. */
+    /** What the drone may do besides: {@code ; it may slow down to 2.97 m/s, and may stop its motors once}. */
     static String abilities(RouteSurvey survey) {
         String speeds = speeds(survey.modes().stream().filter(RouteMode::isSlow));
         boolean isAlwaysSlow = survey.modes().stream().allMatch(mode -> mode.isSlow() || mode.isGlide());

@@ -42,7 +42,7 @@ public final class ComparisonPanel extends JPanel {
 
     private final JComboBox<Object> choice = new JComboBox<>(new Object[] {NOTHING});
     private final JCheckBox beside = new JCheckBox("Show it beside this run");
-    private final WrappedText said = new WrappedText("what differs between the two runs");
+    private final WrappedText said = new WrappedText("differences between the two runs");
     private final transient ComparisonTable model = new ComparisonTable();
     private final JTable table = new JTable(model);
     private transient List<OtherRun> offered = List.of();

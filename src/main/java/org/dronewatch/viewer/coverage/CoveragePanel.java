@@ -31,7 +31,7 @@ public final class CoveragePanel extends JPanel {
     private final JButton button = new JButton("Compute");
     private final CoverageForm form = new CoverageForm(button, this::compute);
     private final JProgressBar progress = new JProgressBar(0, PARTS);
-    private final WrappedText message = new WrappedText("what is covered");
+    private final WrappedText message = new WrappedText("summary of the coverage");
     private final CoverageLegend legend = new CoverageLegend();
     private final CoverageHeights heights = new CoverageHeights(this::update, this::choose);
     private final CoverageSwitches switches = new CoverageSwitches(this::update);

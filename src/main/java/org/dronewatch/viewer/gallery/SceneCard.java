@@ -54,7 +54,7 @@ final class SceneCard extends JPanel {
         button.getAccessibleContext().setAccessibleDescription(sentence);
         button.addActionListener(e -> chosen.run());
         bind(KeyEvent.VK_ENTER, () -> button.doClick(0));
-        WrappedText text = new WrappedText("what the scene " + scene.name() + " shows");
+        WrappedText text = new WrappedText("description of the scene " + scene.name());
         text.setText(sentence);
         text.setBorder(BorderFactory.createEmptyBorder(0, Scaled.px(4), 0, Scaled.px(4)));
         int lineHeight = text.getFontMetrics(text.getFont()).getHeight();

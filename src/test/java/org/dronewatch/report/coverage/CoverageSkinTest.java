@@ -319,7 +319,7 @@ class CoverageSkinTest {
                         + " 0.5 % is lost and 0.5 % is gained, where a different heading becomes the worst.");
         RemainingCoverage more = new RemainingCoverage(all, all.without(Set.of("far")), 1, 1000, 100, 120, 0);
         assertThat(LossWords.sentence(more, Set.of("far")))
-                .isEqualTo("At 12 m, 12.0 % of the known area instead of 10.0 % is covered without 'far' (+2.0)."
+                .isEqualTo("At 12 m, 12.0 % of the known area is covered without 'far', instead of 10.0 % (+2.0)."
                         + " Nothing is lost and 2.0 % is gained, where a different heading becomes the worst.");
 
         HeightSummary height = new HeightSummary(

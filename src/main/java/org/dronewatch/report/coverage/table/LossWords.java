@@ -10,7 +10,8 @@ public final class LossWords {
     private LossWords() {}
 
     /**
-     * The loss in a sentence: {@code At 30 m, 31.0 % of the known area instead of 43.3 % is covered without 'radar'.}
+     * The loss in a sentence: {@code At 30 m, 31.0 % of the known area is covered without 'radar', instead of 43.3 %
+     * (-12.3).}
      *
      * @param off the sensors that are left out; may be empty
      */
@@ -29,11 +30,11 @@ public final class LossWords {
                 ? at + covered + " of the known area is covered, with or without " + names + "."
                 : String.format(
                         Locale.ROOT,
-                        "%s%s of the known area instead of %s is covered without %s (%+.1f).",
+                        "%s%s of the known area is covered without %s, instead of %s (%+.1f).",
                         at,
                         share(remaining.remaining(), remaining),
-                        covered,
                         names,
+                        covered,
                         -100.0 * remaining.lost() / remaining.known());
         return words + (remaining.gained() == 0 ? "" : " " + gained(remaining));
     }

@@ -125,7 +125,8 @@ class WarningWordsTest {
                 .contains("  3.0 s from 70 deg  ");
         assertThat(words(flights(0, bearing -> bearing == 9 ? 3 : 8, bearing -> false)))
                 .contains(
-                        "3 s from the east", "comes 3 s before it reaches the protected zone, in 2 of 72 combinations");
+                        "3 s from the east",
+                        "comes 3 s before it reaches the protected zone; this happens in 2 of 72 combinations");
         assertThat(words(flights(0, bearing -> bearing < 5 ? -1 : 8, bearing -> false)))
                 .contains(
                         "none from 0 to 40 deg, 8\u00a0s or more from the others",
