@@ -61,13 +61,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         Map<String, Double> without = best.withoutEach();
         return without.values().stream().min(Double::compare).map(least -> {
             List<String> worst = best.worstLosses();
-            return (worst.size() == 1
-                            ? "Without " + worst.get(0) + (without.size() == 1 ? "" : ", whose loss is worst")
-                            : "If " + either(worst) + " is lost"
-                                    + (worst.size() == without.size()
-                                            ? ""
-                                            : " (equally severe losses, the worst of all)"))
-                    + ", the layout detects the drone with a probability of "
+            return lossOf(worst, without.size()) + ", the layout detects the drone with a probability of "
                     + FrontWords.percent(RoutePlacement.detection(least))
                     + " on the weakest route past it, as the search estimates it."
                     + flownLoss().orElse("");
@@ -78,6 +72,14 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         return names.size() == 1
                 ? names.get(0)
                 : String.join(", ", names.subList(0, names.size() - 1)) + " or " + names.get(names.size() - 1);
+    }
+
+    private static String lossOf(List<String> worst, int all) {
+        if (worst.size() == 1) {
+            return "Without " + worst.get(0) + (all == 1 ? "" : ", whose loss is worst");
+        }
+        return "If " + either(worst) + " is lost"
+                + (worst.size() == all ? "" : " (equally severe losses, the worst of all)");
     }
 
     /** What flights show of the losses that were flown, the worst of them, in sentences; empty if none was. */

@@ -25,8 +25,8 @@ final class ModeWords {
         OptionalDouble slow = slowed(route, survey);
         OptionalDouble glide = gliding(route, survey);
         return (slow.isPresent()
-                        ? ", slowing down for " + RouteNumbers.seconds(slow) + " to "
-                                + speeds(Stream.of(route), survey) + ", which a radar rejects"
+                        ? ", slowing down for " + RouteNumbers.seconds(slow) + " to " + speeds(Stream.of(route), survey)
+                                + ", which a radar rejects"
                         : "")
                 + (glide.isPresent() ? ", with its motors off for the last " + RouteNumbers.seconds(glide) : "");
     }
