@@ -55,8 +55,8 @@ public final class Cover {
      * The reason why a drone in range and in view is missed: hidden, or too weak. Conditions that cost more than a ray
      * are evaluated only where they matter.
      *
-     * @param invisible whether the sensor receives nothing from it
-     * @param detectedInTheOpen whether it would be detected if nothing hid it
+     * @param invisible whether the sensor receives nothing from the drone
+     * @param detectedInTheOpen whether the drone would be detected if nothing hid it
      */
     public Explanation explain(Drone drone, BooleanSupplier invisible, BooleanSupplier detectedInTheOpen) {
         Optional<Obstacle> before = ofOrigin(drone);

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor;
 
 /**
- * Settings of a sensor that rejects what neither approaches nor recedes, and so may miss a drone that flies across its
- * line of sight. This is a capability, queried by {@link SensorSettings#as}.
+ * Settings of a sensor that rejects objects that neither approach nor recede, and so may miss a drone that flies across
+ * its line of sight. This is a capability, queried by {@link SensorSettings#as}.
  */
 public interface CrossingBlind {
     /**

@@ -22,7 +22,7 @@ import org.dronewatch.world.World;
  * thread at a time.
  */
 public final class FalseAlarmSource {
-    /** The purpose for which false alarms draw random numbers. */
+    /** The purpose of the random numbers that are drawn for false alarms. */
     public static final String PURPOSE = "false";
 
     /**
