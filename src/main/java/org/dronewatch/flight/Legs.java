@@ -12,7 +12,7 @@ public final class Legs {
     /** A leg continues while the flight is within this distance of it, m. */
     private static final double CLOSE = 1e-6;
 
-    /** The same for angles, rad, and for the time of gliding, s. */
+    /** As {@link #CLOSE}, for angles, rad, and for the time of gliding, s. */
     private static final double ALIKE = 1e-9;
 
     /** Ten samples a second: with an acceleration of 2.5 m/s2 a flight is written to 3 mm. */

@@ -61,7 +61,7 @@ public final class DronePicture {
         return new DronePicture(camera, new SiteImages(camera, true), true);
     }
 
-    /** Pictures of the same camera for another thread, which share the image of the site. */
+    /** Pictures of the same camera for use by another thread, which share the image of the site. */
     public DronePicture sibling() {
         return new DronePicture(camera, images, isAtRest);
     }
@@ -79,7 +79,7 @@ public final class DronePicture {
         return turned;
     }
 
-    /** Pose and projection. */
+    /** The pose and projection of the camera. */
     public CameraObject camera() {
         return camera;
     }
@@ -153,7 +153,7 @@ public final class DronePicture {
     /**
      * Traces pixels of the drone until its bounds suffice or are exact; the heading is that of the last count.
      *
-     * @param enough the same as in that count
+     * @param enough the predicate passed to that count
      * @param isSufficient whether the bounds suffice as they are now
      * @return false where it is faster to draw a picture of the drone
      */

@@ -73,7 +73,10 @@ public final class PixelBounds {
         return pixels.mostAround();
     }
 
-    /** The same bound, whatever the site hides, and however many pixels have been examined. */
+    /**
+     * An upper bound on the number of pixels that show the drone, whatever its heading, whatever the site hides, and
+     * however many pixels have been examined.
+     */
     public int mostInRectangle() {
         return pixels.mostInRectangle();
     }
@@ -89,7 +92,7 @@ public final class PixelBounds {
     }
 
     /**
-     * Counts the pixels of the drone on a heading.
+     * Counts the pixels of the drone at a heading.
      *
      * @param heading direction of its nose, clockwise from north, rad
      * @param enough whether a number of pixels is sufficient; if it is, every larger number must be as well. Counting

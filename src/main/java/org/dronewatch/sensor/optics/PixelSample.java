@@ -21,7 +21,7 @@ final class PixelSample {
     /** If there are more pixels around a drone than this, only those of every n-th row and column are examined. */
     private static final int MOST_PIXELS = 1 << 12;
 
-    /** The same where the sample has not been sufficient. */
+    /** As {@link #MOST_PIXELS}, where the sample has not been sufficient. */
     private static final int MOST_PIXELS_ON_REQUEST = 1 << 20;
 
     /**

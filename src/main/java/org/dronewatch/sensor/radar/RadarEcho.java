@@ -33,7 +33,7 @@ final class RadarEcho {
             return unfiltered() + passed;
         }
 
-        /** The same if the notch let everything pass, dB. */
+        /** Ratio of the signal to the sum of noise and clutter if the notch let everything pass, dB. */
         double unfiltered() {
             return signal - 10.0 * Math.log10(1.0 + Math.pow(10.0, 0.1 * clutter));
         }

@@ -150,7 +150,9 @@ public final class RadioPath {
         return DETOUR * from.distance(to) + 2.0 * tall;
     }
 
-    /** The same past either side. */
+    /**
+     * How far the paths past either side of an obstacle are searched for: the sum of the distances from both ends, m.
+     */
     private static double beside(Position from, Position to) {
         return DETOUR * from.distance(to) + LEAST_DETOUR;
     }

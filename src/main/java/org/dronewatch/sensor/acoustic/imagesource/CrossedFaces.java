@@ -46,10 +46,10 @@ public final class CrossedFaces {
     /**
      * Finds the faces at a point.
      *
-     * @param triangle that the path meets there
-     * @param material of that triangle
-     * @param x of the point, m
-     * @param alongX of the path's direction, which may have any length
+     * @param triangle the triangle that the path meets there
+     * @param material material of that triangle
+     * @param x x coordinate of the point, m
+     * @param alongX x component of the path's direction, which may have any length
      */
     public void find(
             int triangle, int material, double x, double y, double z, double alongX, double alongY, double alongZ) {

@@ -17,7 +17,7 @@ public final class EnteredSolids {
 
     private int count;
 
-    /** Back into air. */
+    /** Leaves all solids. */
     public void clear() {
         count = 0;
     }

@@ -77,9 +77,9 @@ public final class SpecularPath {
     }
 
     /**
-     * The same for points that may lie on surfaces. A wall reflects nothing that begins or ends in its own plane.
-     * Rounding may have put such a point on either side of the plane, so the wall's number decides: otherwise sound
-     * would leak through a sheet by a reflection on its other side.
+     * Follows the path from a point to the one whose images are given, where both may lie on surfaces. A wall reflects
+     * nothing that begins or ends in its own plane. Rounding may have put such a point on either side of the plane, so
+     * the wall's number decides: otherwise sound would leak through a sheet by a reflection on its other side.
      *
      * @param fromWall the wall on which the path begins, or {@link WallPlanes#NONE}
      * @param toWall the wall on which it ends, or {@link WallPlanes#NONE}

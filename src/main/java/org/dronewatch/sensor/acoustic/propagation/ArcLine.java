@@ -53,7 +53,7 @@ public final class ArcLine {
         return corners + 1;
     }
 
-    /** The end of a piece, m; the end of piece -1 is the first point. */
+    /** The x coordinate of the end of a piece, m; the end of piece -1 is the first point. */
     public double x(int piece) {
         return fromX + share(piece) * alongX;
     }

@@ -98,7 +98,7 @@ public final class GroundPlane {
      * @param share position along the line, 0 to 1
      * @param wavelength wavelength of the sound, which determines the width of the relevant ground beside the line, m,
      *     above 0
-     * @return whether there is one
+     * @return whether there is a surface
      */
     public boolean findHighest(Position first, Position second, double share, double wavelength) {
         measure(first, second);
@@ -114,12 +114,12 @@ public final class GroundPlane {
         secondOverGround = second.z() - profile.z(profile.distance(), 0.0);
     }
 
-    /** Height of the first point above the ground straight below it, m; not a number where there is none. */
+    /** Height of the first point above the ground straight below it, m; NaN where there is none. */
     public double firstOverGround() {
         return firstOverGround;
     }
 
-    /** Height of the second point above the ground straight below it, m; not a number where there is none. */
+    /** Height of the second point above the ground straight below it, m; NaN where there is none. */
     public double secondOverGround() {
         return secondOverGround;
     }
