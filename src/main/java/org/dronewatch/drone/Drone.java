@@ -17,8 +17,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A drone at one time: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving it
- * changes the matrix only, and returns a new drone that shares the mesh. Immutable and thread-safe.
+ * A drone at one instant: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving
+ * it changes the matrix only, and returns a new drone that shares the mesh. Immutable and thread-safe.
  *
  * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, like
  * vecmath's {@code rotX}, {@code rotY} and {@code rotZ}.
@@ -39,7 +39,10 @@ public final class Drone {
         this(id, settings, new TracingIndex(tree));
     }
 
-    /** The same with the index of its mesh, which it may share with other drones. */
+    /**
+     * A drone at the origin of the world, its nose to the north, at rest, with the index of its mesh, which it may
+     * share with other drones.
+     */
     public Drone(String id, DroneSettings settings, TracingIndex index) {
         this(id, settings, new DroneMesh(index), identity(), new Vector3d(), OptionalDouble.empty());
     }
@@ -80,7 +83,9 @@ public final class Drone {
         return turned(turn);
     }
 
-    /** This drone rotated about its own z axis (up) at a rate in rad/s for dt seconds, counter-clockwise from above. */
+    /**
+     * This drone rotated about its own z axis (up) at a rate in rad/s for dt seconds, anticlockwise as seen from above.
+     */
     public Drone rotateZ(double rate, double dt) {
         Matrix4d turn = new Matrix4d();
         turn.rotZ(rate * dt);

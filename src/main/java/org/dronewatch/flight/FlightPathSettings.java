@@ -33,7 +33,7 @@ public interface FlightPathSettings {
      */
     FlightPath create(double speed, double acceleration, Ground ground);
 
-    /** Whether the drone turns instantly, at corners that stand for turns for which the legs have room. */
+    /** Whether the drone turns instantly: each corner represents a turn, and the legs are long enough for it. */
     default boolean turnsInstantly() {
         return false;
     }

@@ -29,7 +29,7 @@ public record Steered(
     }
 
     /**
-     * The same flight, displaced.
+     * This flight, displaced.
      *
      * @param offset to the right, ahead and above, relative to the heading at the start, m
      */

@@ -191,7 +191,7 @@ public final class SteeredFlight implements FlownPath {
     /**
      * The state at a time that has been reached.
      *
-     * @throws IllegalStateException when it is yet to come
+     * @throws IllegalStateException when that time is yet to come
      */
     @Override
     public synchronized FlightState at(double time) {

@@ -114,7 +114,7 @@ public final class RfSensor implements AssessableSensor {
                 .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }
 
-    /** Emissions are the same in all directions, and at every speed. */
+    /** {@inheritDoc} Emissions are the same in all directions, and at every speed. */
     @Override
     public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {
         return true;

@@ -98,7 +98,7 @@ public record EnergyModel(
 
     /** A method for adding direct and ground-reflected sound. */
     public enum Ground {
-        /** The energies of the two are added, as are those of all other paths. */
+        /** The energies of direct and ground-reflected sound are added, as are those of all other paths. */
         INCOHERENT,
         /**
          * Direct and ground-reflected sound interfere, with the coherence that turbulence leaves: a spherical wave over

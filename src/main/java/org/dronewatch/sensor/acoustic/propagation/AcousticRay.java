@@ -14,22 +14,22 @@ public final class AcousticRay {
 
     private static final double STAND_OFF = 1e-9;
 
-    /** Origin, m. */
+    /** The x coordinate of the origin, m. */
     public double originX;
 
-    /** Origin, m. */
+    /** The y coordinate of the origin, m. */
     public double originY;
 
-    /** Origin, m. */
+    /** The z coordinate of the origin, m. */
     public double originZ;
 
-    /** Unit direction. */
+    /** The x component of the unit direction. */
     public double directionX;
 
-    /** Unit direction. */
+    /** The y component of the unit direction. */
     public double directionY;
 
-    /** Unit direction. */
+    /** The z component of the unit direction. */
     public double directionZ;
 
     /** Undivided level at the origin, dB. */

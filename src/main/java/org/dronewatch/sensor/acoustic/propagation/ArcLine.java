@@ -58,12 +58,12 @@ public final class ArcLine {
         return fromX + share(piece) * alongX;
     }
 
-    /** The end of a piece, m. */
+    /** The y coordinate of the end of a piece, m. */
     public double y(int piece) {
         return fromY + share(piece) * alongY;
     }
 
-    /** The end of a piece, m. */
+    /** The z coordinate of the end of a piece, m. */
     public double z(int piece) {
         double share = share(piece);
         double sag =
