@@ -148,8 +148,8 @@ public final class Drone {
     }
 
     /**
-     * A new ray tracer of its mesh, in model space, for the use of one thread: for rays that start far away in
-     * comparison with its size.
+     * A new ray tracer of its mesh, in model space, for use by one thread: for rays that start far away in comparison
+     * with its size.
      */
     public RayTracer newRayTracer() {
         return mesh.index().newIncoherentRayTracer();

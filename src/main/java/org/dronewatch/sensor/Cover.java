@@ -9,7 +9,7 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** Finds the obstacles that hide drones from a sensor. Keeps scratch memory: one thread at a time. */
+/** Finds the obstacles that hide drones from a sensor. Keeps scratch memory: for use by one thread at a time. */
 public final class Cover {
     private final Visibility visibility;
     private final Position sensor;

@@ -14,7 +14,7 @@ import org.dronewatch.world.World;
 
 /**
  * The pictures that a camera at rest takes of drones in a world. Caches the image of the last world, without its
- * drones, and keeps scratch memory for the drones: one thread at a time.
+ * drones, and keeps scratch memory for the drones: for use by one thread at a time.
  */
 public final class DronePicture {
     /** Above the rounding of distances in an image, which are of single precision. */

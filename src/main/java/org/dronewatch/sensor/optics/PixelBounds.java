@@ -10,8 +10,8 @@ import org.dronewatch.geometry.Position;
 /**
  * Bounds on the number of pixels that show a level drone at a position; they hold for every heading. The rays of the
  * pixels around the drone are looked up in masks of its silhouette, and in the image of the site. Only rays for which
- * neither gives a certain answer are traced to the drone, and only on request. Reused for many positions. One per
- * thread.
+ * neither gives a certain answer are traced to the drone, and only on request. Reused for many positions. For use by
+ * one thread.
  */
 public final class PixelBounds {
     /** Rays that are traced before bounds that did not suffice are checked again. */

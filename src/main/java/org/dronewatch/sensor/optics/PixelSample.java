@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 /**
  * The pixels around a drone at a place, or a sample of them: whose rays meet its bounding sphere, where they pass it,
  * and whether the site hides it from them. Reused for many places; allocates only if it needs more memory than before.
- * One per thread.
+ * For use by one thread.
  */
 final class PixelSample {
     static final byte HIDDEN = 1;

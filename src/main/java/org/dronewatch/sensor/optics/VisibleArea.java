@@ -13,8 +13,8 @@ import org.jogamp.vecmath.Matrix4d;
 /**
  * The area of a drone in a camera's image, in pixels and fractions of pixels: for drones smaller than a pixel, and for
  * thermal images, in which a pixel integrates over its area. The drone is sampled by rays whose spacing adapts to its
- * size, so that the area is accurate to a few percent at any distance. Occlusion by other drones is left out. One
- * thread at a time.
+ * size, so that the area is accurate to a few percent at any distance. Occlusion by other drones is left out. For use
+ * by one thread at a time.
  */
 public final class VisibleArea {
     /** From one ray to the next that is traced: after a few, they are spread over the whole square. */

@@ -11,8 +11,8 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
- * The strength of the echoes that a radar receives from drones in a world, and of what competes with them. One per
- * thread.
+ * The strength of the echoes that a radar receives from drones in a world, and of what competes with them. For use by
+ * one thread.
  */
 final class RadarEcho {
     /**

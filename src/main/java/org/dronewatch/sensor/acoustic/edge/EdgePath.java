@@ -15,7 +15,7 @@ import org.dronewatch.world.World;
  * that none of the planes intersects is not found.
  *
  * <p>Short detours are tried first, so that only obstacles near the straight line are examined if that suffices.
- * Exchanging the points gives the same path. One per thread.
+ * Exchanging the points gives the same path. For use by one thread.
  */
 public final class EdgePath {
     private static final int PLANES = 12;

@@ -23,7 +23,7 @@ import org.dronewatch.world.World;
 /**
  * Finds the image sources that matter between a sensor and a source. Rays from either end find them, and purely
  * specular paths are constructed from them. In the open, where few rays pass an end, image sources are also kept whose
- * reflections carry most of the sound that is scattered near one end to the other. One per thread.
+ * reflections carry most of the sound that is scattered near one end to the other. For use by one thread.
  */
 final class EndSearch {
     /**

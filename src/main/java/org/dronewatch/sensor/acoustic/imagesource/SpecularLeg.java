@@ -6,7 +6,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
  * The leg of a ray since it left the sensor or the source or was last scattered: its sequence of specular reflections,
- * and whether that belongs to an image source. One per thread.
+ * and whether that belongs to an image source. For use by one thread.
  */
 public final class SpecularLeg {
     private int[] walls = new int[16];

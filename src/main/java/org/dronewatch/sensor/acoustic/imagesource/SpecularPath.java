@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
 /**
  * A path from one point via specular reflections to another, constructed from image sources: it must hit every wall at
  * the right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). It
- * may pass through walls that transmit sound if {@link #throughWalls} says so. One per thread.
+ * may pass through walls that transmit sound if {@link #throughWalls} says so. For use by one thread.
  */
 public final class SpecularPath {
     private static final int BANDS = OctaveBands.COUNT;

@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
 
 /**
  * Transmission along straight lines and arcs: a sheet attenuates by its transmission loss, a solid once, where the line
- * enters; opaque surfaces transmit nothing. One per thread.
+ * enters; opaque surfaces transmit nothing. For use by one thread.
  */
 public final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;

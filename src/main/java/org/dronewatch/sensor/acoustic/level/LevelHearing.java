@@ -15,8 +15,8 @@ import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.world.World;
 
 /**
- * A microphone in the level model: it measures the highest level received, which is not divided among rays. One thread
- * at a time.
+ * A microphone in the level model: it measures the highest level received, which is not divided among rays. For use by
+ * one thread at a time.
  */
 public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */

@@ -10,7 +10,7 @@ import org.dronewatch.world.World;
  * Generates the rays from a surface: first the specular one, then one straight to the sensor if that lies on the same
  * side, and the rest at random over the hemisphere; if the material transmits sound, also rays on the other side, the
  * first refracted and the rest scattered. It follows sections 5.2.3 and 6.2.11 of the thesis on which this project is
- * based. One per thread.
+ * based. For use by one thread.
  */
 public final class ReflectionGenerator {
     /**

@@ -6,7 +6,8 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * One straight segment of a sound ray. It carries two quantities: a level, which is used for detection and copied to
- * each outgoing ray, and an energy, which is divided among outgoing rays. A mutable, reused object, for one thread.
+ * each outgoing ray, and an energy, which is divided among outgoing rays. A mutable, reused object, for use by one
+ * thread.
  */
 public final class AcousticRay {
     /** The medium of rays in air. */

@@ -2,8 +2,8 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 /**
  * An arc of sound between two points, approximated by straight pieces. The ends of the pieces are not at simple
- * fractions of the arc, so that they are unlikely to lie in a wall, which the pieces on both sides would miss. One per
- * thread.
+ * fractions of the arc, so that they are unlikely to lie in a wall, which the pieces on both sides would miss. For use
+ * by one thread.
  */
 public final class ArcLine {
     private static final double GOLDEN = 0.3819660112501051;

@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
  * The plane that represents the ground in the reflection of sound between two points. A plane or, if that fits better,
  * a surface that is convex along the path is fitted to the ground within the first Fresnel zone around the point of
  * reflection; the result is the tangent plane at the point of reflection. The ground consists of the surfaces straight
- * below the line between the points and, within the zone, beside it. One per thread.
+ * below the line between the points and, within the zone, beside it. For use by one thread.
  */
 public final class GroundPlane {
     /** Samples of the surface along the line and on each side of it. */

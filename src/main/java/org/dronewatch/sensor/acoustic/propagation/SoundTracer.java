@@ -9,7 +9,9 @@ import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
 
-/** Traces sound from drones to one microphone in one world. May keep scratch memory: one thread at a time. */
+/**
+ * Traces sound from drones to one microphone in one world. May keep scratch memory: for use by one thread at a time.
+ */
 public interface SoundTracer {
 
     /**
