@@ -132,7 +132,7 @@ public final class Drone {
         return new Drone(id, settings, mesh, new Matrix4d(matrix), velocity, gliding);
     }
 
-    /** Its name in the scene. */
+    /** The drone's name in the scene. */
     public String id() {
         return id;
     }
@@ -142,7 +142,7 @@ public final class Drone {
         return settings;
     }
 
-    /** The tree over its mesh, in model space. */
+    /** The tree over the drone's mesh, in model space. */
     public KDTree tree() {
         return mesh.index().tree();
     }
@@ -160,7 +160,7 @@ public final class Drone {
         return mesh.silhouettes();
     }
 
-    /** The box around its mesh, in model space, m. */
+    /** The box around the drone's mesh, in model space, m. */
     public AABB modelBounds() {
         return tree().bounds();
     }
@@ -185,12 +185,12 @@ public final class Drone {
         return new Matrix4d(worldToModel.get());
     }
 
-    /** The position of its origin in the world, m. */
+    /** The position of the drone's origin in the world, m. */
     public Point3d position() {
         return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
-    /** The position of its origin in the world, m: {@link #position()} as an immutable value. */
+    /** The position of the drone's origin in the world, m: {@link #position()} as an immutable value. */
     public Position origin() {
         return new Position(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
@@ -216,8 +216,8 @@ public final class Drone {
     }
 
     /**
-     * An upper bound on the distance of its mesh from its origin, m: the same at all attitudes, and the exact distance
-     * where its model is not stretched unevenly.
+     * An upper bound on the distance of the drone's mesh from its origin, m: the same at all attitudes, and the exact
+     * distance where its model is not stretched unevenly.
      */
     public double radius() {
         return mesh.radius() * stretch(modelMatrix);
@@ -238,36 +238,36 @@ public final class Drone {
         return Math.abs(most - 1.0) < ROUNDING ? 1.0 + ROUNDING : Math.sqrt(most) * (1.0 + ROUNDING);
     }
 
-    /** A copy of its velocity, m/s. */
+    /** A copy of the drone's velocity, m/s. */
     public Vector3d velocity() {
         return new Vector3d(velocity);
     }
 
-    /** Whether its motors run. */
+    /** Whether the drone's motors run. */
     public boolean isPowered() {
         return gliding.isEmpty();
     }
 
-    /** Its source level for the level model in its present state of flight, dB. */
+    /** The drone's source level for the level model in its present state of flight, dB. */
     public double soundLevel() {
         return settings.emission().soundLevel(this);
     }
 
-    /** Its sound power levels by octave band in its present state of flight, dB re 1e-12 W. */
+    /** The drone's sound power levels by octave band in its present state of flight, dB re 1e-12 W. */
     public List<Double> soundPower() {
         return Arrays.stream(settings.emission().soundPower(this).toArray())
                 .boxed()
                 .toList();
     }
 
-    /** The tones in its sound in its present state of flight. */
+    /** The tones in the drone's sound in its present state of flight. */
     public List<Tone> tones() {
         return settings.emission().tones(this);
     }
 
     /**
-     * Its apparent temperature difference from the background in its present state of flight, K: with its motors off,
-     * it cools.
+     * The drone's apparent temperature difference from the background in its present state of flight, K: with its
+     * motors off, it cools.
      */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));

@@ -190,7 +190,7 @@ public record DroneSettings(
      * A bird, which sensors may mistake for a drone: silent, and without a transmitter; its temperature difference is
      * assumed.
      *
-     * @param speed in flight, m/s
+     * @param speed speed in flight, m/s
      * @param crossSection mean radar cross-section, m2
      */
     public static DroneSettings bird(
@@ -404,7 +404,7 @@ public record DroneSettings(
      * its tree.
      *
      * @param id its name
-     * @param directory against which a relative model path is resolved
+     * @param directory directory against which a relative model path is resolved
      * @throws IllegalArgumentException when the flight follows the ground
      * @throws org.dronewatch.setting.InputException when the model cannot be loaded
      */

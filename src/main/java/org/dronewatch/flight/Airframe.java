@@ -63,7 +63,7 @@ public enum Airframe {
     /**
      * The attitude for an acceleration.
      *
-     * @param yaw where the nose points, which does not change, rad
+     * @param yaw heading of the nose, which does not change, rad
      * @param velocity m/s
      * @param force specific force: acceleration minus gravity, m/s2
      */

@@ -27,7 +27,7 @@ public record Leg(double time, FlightState start) {
     /**
      * The state at a time: in the last leg that has begun by then, or in the first.
      *
-     * @param legs at least one, in order of time
+     * @param legs the legs, at least one, in order of time
      */
     public static FlightState at(List<Leg> legs, double time) {
         int low = 0;

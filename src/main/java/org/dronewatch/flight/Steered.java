@@ -31,7 +31,7 @@ public record Steered(
     /**
      * This flight, displaced.
      *
-     * @param offset to the right, ahead and above, relative to the heading at the start, m
+     * @param offset displacement to the right, ahead and above, relative to the heading at the start, m
      */
     public Steered beside(Position offset) {
         return new Steered(start.plus(Displaced.turned(offset, heading)), heading);

@@ -18,8 +18,8 @@ public interface AssessableSensor extends Sensor {
      * The signal that the sensor receives from a drone.
      *
      * @param world the site
-     * @param drone as it appears at the sensor: for a signal that takes time to arrive, as it was when the signal left
-     *     it
+     * @param drone the drone, as it appears at the sensor: for a signal that takes time to arrive, as it was when the
+     *     signal left it
      * @param pointing where a positioner points the sensor; empty for its own aim
      * @param rayRandom random numbers for sensors that trace random rays; others draw none
      */
@@ -41,7 +41,7 @@ public interface AssessableSensor extends Sensor {
      * drone at its position, so that a field of assessments needs only one assessment there. False unless overridden.
      *
      * @param world the site
-     * @param drone at any heading and speed
+     * @param drone the drone, at any heading and speed
      * @param pointing where a positioner points the sensor; empty for its own aim
      */
     default boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {

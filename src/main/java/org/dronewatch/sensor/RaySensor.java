@@ -25,7 +25,7 @@ public interface RaySensor extends Sensor {
      * numbers, perhaps at less cost.
      *
      * @param world the site
-     * @param drone as it appears at the sensor
+     * @param drone the drone, as it appears at the sensor
      */
     default boolean detects(World world, Drone drone, Look look) {
         return observe(world, List.of(drone), look).stream()

@@ -43,7 +43,7 @@ public final class SilhouetteTable {
         return raster.halfWidth();
     }
 
-    /** The least distance of the camera from the drone's origin for which the masks hold, m. */
+    /** The minimum distance of the camera from the drone's origin for which the masks hold, m. */
     public double minRange() {
         return raster.minRange();
     }

@@ -68,7 +68,7 @@ public final class DronePicture {
 
     /**
      * The pictures of a camera in another temporary pose, for the same thread, which take over the scratch memory of
-     * these; only the others are used from then on.
+     * these; these must not be used any longer.
      */
     public DronePicture turned(CameraObject to) {
         DronePicture turned = new DronePicture(to);

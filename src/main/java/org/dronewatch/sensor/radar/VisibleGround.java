@@ -84,7 +84,7 @@ final class VisibleGround {
     /**
      * The highest elevation at which something within a range blocks the view, rad.
      *
-     * @param guess where it is if nothing nearer is in the way; not a number if unknown
+     * @param guess where it is if nothing nearer is in the way; NaN if unknown
      * @param floor not below this elevation
      */
     private double skyline(double range, double guess, double floor) {

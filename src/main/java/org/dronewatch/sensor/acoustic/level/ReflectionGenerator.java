@@ -75,9 +75,9 @@ public final class ReflectionGenerator {
      * and the transmitted energy are divided among them.
      *
      * @param ray the ray that arrives
-     * @param distance from its origin to the triangle, m
+     * @param distance distance from the ray's origin to the triangle, m
      * @param triangle index in the world's mesh
-     * @param arriving its level at the triangle, dB
+     * @param arriving level of the ray at the triangle, dB
      * @param random draws the directions of scattered rays
      * @param target receives the rays, the specular one first
      */

@@ -17,7 +17,7 @@ public interface SoundTracer {
     /**
      * Takes one look.
      *
-     * @param drone as it was when the sound left it
+     * @param drone the drone, as it was when the sound left it
      * @param random the random numbers of the look's rays
      */
     Heard hear(Drone drone, RandomGenerator random);
