@@ -70,8 +70,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A straight flight from one point to another, at cruise speed from the beginning; at the end the drone stays in
-     * place.
+     * A straight flight from one point to another, at cruise speed from the beginning; the drone stays at the end.
      *
      * @param from position at time 0, m
      * @param to position at the end, m

@@ -53,7 +53,7 @@ public final class AcousticRay {
         return meets(tracer, Double.POSITIVE_INFINITY);
     }
 
-    /** Whether the ray hits a surface within a distance from its origin, m. */
+    /** Whether the ray hits a surface within a given distance of its origin, m. */
     public boolean meets(RayTracer tracer, double limit) {
         return tracer.closestHit(originX, originY, originZ, directionX, directionY, directionZ, 0.0, limit);
     }
@@ -87,7 +87,8 @@ public final class AcousticRay {
     }
 
     /**
-     * The distance from its origin at which the ray enters a sphere, m; 0 inside the sphere, infinite if it misses it.
+     * The distance from the ray's origin at which it enters a sphere, m; 0 if the origin is inside, infinite if the ray
+     * misses the sphere.
      */
     public double entry(Position centre, double radius) {
         return IntersectionHandler.raySphere(
