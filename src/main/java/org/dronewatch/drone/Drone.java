@@ -17,8 +17,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A drone at one time: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving it
- * changes the matrix only, and returns a new drone that shares the mesh. Immutable and thread-safe.
+ * A drone at one instant: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving
+ * it changes the matrix only, and returns a new drone that shares the mesh. Immutable and thread-safe.
  *
  * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, like
  * vecmath's {@code rotX}, {@code rotY} and {@code rotZ}.
@@ -39,7 +39,10 @@ public final class Drone {
         this(id, settings, new TracingIndex(tree));
     }
 
-    /** The same with the index of its mesh, which it may share with other drones. */
+    /**
+     * A drone at the origin of the world, its nose to the north, at rest, with the index of its mesh, which it may
+     * share with other drones.
+     */
     public Drone(String id, DroneSettings settings, TracingIndex index) {
         this(id, settings, new DroneMesh(index), identity(), new Vector3d(), OptionalDouble.empty());
     }
@@ -80,7 +83,9 @@ public final class Drone {
         return turned(turn);
     }
 
-    /** This drone rotated about its own z axis (up) at a rate in rad/s for dt seconds, counter-clockwise from above. */
+    /**
+     * This drone rotated about its own z axis (up) at a rate in rad/s for dt seconds, anticlockwise as seen from above.
+     */
     public Drone rotateZ(double rate, double dt) {
         Matrix4d turn = new Matrix4d();
         turn.rotZ(rate * dt);
@@ -127,7 +132,7 @@ public final class Drone {
         return new Drone(id, settings, mesh, new Matrix4d(matrix), velocity, gliding);
     }
 
-    /** Its name in the scene. */
+    /** The drone's name in the scene. */
     public String id() {
         return id;
     }
@@ -137,14 +142,14 @@ public final class Drone {
         return settings;
     }
 
-    /** The tree over its mesh, in model space. */
+    /** The tree over the drone's mesh, in model space. */
     public KDTree tree() {
         return mesh.index().tree();
     }
 
     /**
-     * A new ray tracer of its mesh, in model space, for the use of one thread: for rays that start far away in
-     * comparison with its size.
+     * A new ray tracer of its mesh, in model space, for use by one thread: for rays that start far away in comparison
+     * with its size.
      */
     public RayTracer newRayTracer() {
         return mesh.index().newIncoherentRayTracer();
@@ -155,7 +160,7 @@ public final class Drone {
         return mesh.silhouettes();
     }
 
-    /** The box around its mesh, in model space, m. */
+    /** The box around the drone's mesh, in model space, m. */
     public AABB modelBounds() {
         return tree().bounds();
     }
@@ -180,12 +185,12 @@ public final class Drone {
         return new Matrix4d(worldToModel.get());
     }
 
-    /** The position of its origin in the world, m. */
+    /** The position of the drone's origin in the world, m. */
     public Point3d position() {
         return new Point3d(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
-    /** The position of its origin in the world, m: {@link #position()} as an immutable value. */
+    /** The position of the drone's origin in the world, m: {@link #position()} as an immutable value. */
     public Position origin() {
         return new Position(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
@@ -211,8 +216,8 @@ public final class Drone {
     }
 
     /**
-     * An upper bound on the distance of its mesh from its origin, m: the same at all attitudes, and the exact distance
-     * where its model is not stretched unevenly.
+     * An upper bound on the distance of the drone's mesh from its origin, m: the same at all attitudes, and the exact
+     * distance where its model is not stretched unevenly.
      */
     public double radius() {
         return mesh.radius() * stretch(modelMatrix);
@@ -233,36 +238,36 @@ public final class Drone {
         return Math.abs(most - 1.0) < ROUNDING ? 1.0 + ROUNDING : Math.sqrt(most) * (1.0 + ROUNDING);
     }
 
-    /** A copy of its velocity, m/s. */
+    /** A copy of the drone's velocity, m/s. */
     public Vector3d velocity() {
         return new Vector3d(velocity);
     }
 
-    /** Whether its motors run. */
+    /** Whether the drone's motors run. */
     public boolean isPowered() {
         return gliding.isEmpty();
     }
 
-    /** Its source level for the level model in its present state of flight, dB. */
+    /** The drone's source level for the level model in its present state of flight, dB. */
     public double soundLevel() {
         return settings.emission().soundLevel(this);
     }
 
-    /** Its sound power levels by octave band in its present state of flight, dB re 1e-12 W. */
+    /** The drone's sound power levels by octave band in its present state of flight, dB re 1e-12 W. */
     public List<Double> soundPower() {
         return Arrays.stream(settings.emission().soundPower(this).toArray())
                 .boxed()
                 .toList();
     }
 
-    /** The tones in its sound in its present state of flight. */
+    /** The tones in the drone's sound in its present state of flight. */
     public List<Tone> tones() {
         return settings.emission().tones(this);
     }
 
     /**
-     * Its apparent temperature difference from the background in its present state of flight, K: with its motors off,
-     * it cools.
+     * The drone's apparent temperature difference from the background in its present state of flight, K: with its
+     * motors off, it cools.
      */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));

@@ -8,7 +8,7 @@ package org.dronewatch.drone;
 public enum DroneClass {
     /** A small unmanned aircraft, such as the quadrotor of the library: 0.0524 m2 (-12.81 dBsm), spread 3.74 dB. */
     SMALL_UAV(-12.81, 3.74),
-    /** A large unmanned aircraft: 0.260 m2 (-5.85 dBsm), spread 2.5 dB; its gains by aspect are left out. */
+    /** A large unmanned aircraft: 0.260 m2 (-5.85 dBsm), spread 2.5 dB; its aspect dependence is left out. */
     LARGE_UAV(-5.85, 2.5);
 
     private final double crossSection;

@@ -190,7 +190,7 @@ public record DroneSettings(
      * A bird, which sensors may mistake for a drone: silent, and without a transmitter; its temperature difference is
      * assumed.
      *
-     * @param speed in flight, m/s
+     * @param speed speed in flight, m/s
      * @param crossSection mean radar cross-section, m2
      */
     public static DroneSettings bird(
@@ -206,7 +206,7 @@ public record DroneSettings(
         return SettingsForm.with(unlabelled, silent).withLabel(ThreatLabel.BIRD);
     }
 
-    /** Whether it is a bird instead of a drone, for scoring. */
+    /** Whether it is a bird rather than a drone, for scoring. */
     public boolean isBird() {
         return label.role() == ThreatLabel.Role.BIRD;
     }
@@ -324,7 +324,7 @@ public record DroneSettings(
         return SettingsForm.with(this, "label", other);
     }
 
-    /** The limits of the drone's flight: those that are stated; the others are typical of its airframe and speed. */
+    /** The limits of the drone's flight: as stated, or else typical of its airframe and speed. */
     public FlightLimits flightLimits() {
         FlightLimits typical = FlightLimits.typical(airframe, speed);
         return performance.map(stated -> stated.orTypical(typical)).orElse(typical);
@@ -404,7 +404,7 @@ public record DroneSettings(
      * its tree.
      *
      * @param id its name
-     * @param directory against which a relative model path is resolved
+     * @param directory directory against which a relative model path is resolved
      * @throws IllegalArgumentException when the flight follows the ground
      * @throws org.dronewatch.setting.InputException when the model cannot be loaded
      */

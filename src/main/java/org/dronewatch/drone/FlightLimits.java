@@ -9,7 +9,7 @@ import org.dronewatch.flight.Airframe;
  * @param sink largest rate of descent under power, m/s
  * @param turnRate largest rate at which its course turns at cruise speed, rad/s
  * @param hover whether it can stay in one place
- * @param leastSpeed minimum speed under power if it cannot hover, m/s; of no meaning if it can
+ * @param leastSpeed minimum speed under power if it cannot hover, m/s; meaningless if it can
  * @param ceiling greatest height above the surface below it, m
  * @param endurance longest flight under power, s
  * @param glideRatio horizontal distance covered with the motors off per metre of height lost; 0 if it cannot glide
@@ -74,7 +74,10 @@ public record FlightLimits(
         };
     }
 
-    /** The same limits for flights whose corners stand for turns, such as those of routes. */
+    /**
+     * These limits for flights whose corners represent turns, such as those of routes: without a limit to the rate of
+     * turn.
+     */
     public FlightLimits turningInstantly() {
         return new FlightLimits(
                 climb, sink, Double.POSITIVE_INFINITY, hover, leastSpeed, ceiling, endurance, glideRatio, glideSpeed);

@@ -42,7 +42,7 @@ public record FlightPerformance(
     /** The longest possible endurance, a week, s. */
     public static final double LONGEST = 604_800.0;
 
-    /** All limits are typical of the airframe. */
+    /** A performance with all limits typical of the airframe. */
     @Defaults
     public static final FlightPerformance TYPICAL = new FlightPerformance(
             Optional.empty(),

@@ -106,7 +106,7 @@ public record RadarSignature(
         return SettingsForm.with(this, "fluctuation", other);
     }
 
-    /** This signature with other gains by aspect, dB. */
+    /** This signature with other aspect-dependent cross-sections relative to the mean, dB. */
     public RadarSignature withAspects(List<Double> gains) {
         return SettingsForm.with(this, "aspects", gains);
     }

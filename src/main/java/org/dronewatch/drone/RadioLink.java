@@ -89,7 +89,7 @@ public record RadioLink(
         return SettingsForm.with(this, "bursts", Optional.of(other));
     }
 
-    /** Whether it transmits anything that can be received. */
+    /** Whether this link transmits anything that can be received. */
     public boolean emits() {
         return control == Control.RADIO;
     }

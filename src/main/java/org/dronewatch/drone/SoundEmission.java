@@ -27,7 +27,7 @@ public interface SoundEmission {
     /**
      * Sound power levels by octave band without weighting, dB re 1e-12 W, for the energy model.
      *
-     * @param drone as it was when the sound left it
+     * @param drone the drone, as it was when the sound left it
      */
     BandLevels soundPower(Drone drone);
 
@@ -35,7 +35,7 @@ public interface SoundEmission {
      * The source level for the level model, dB: unless overridden, that of the settings, less the glide reduction when
      * the motors are off. Always finite.
      *
-     * @param drone as it was when the sound left it
+     * @param drone the drone, as it was when the sound left it
      */
     default double soundLevel(Drone drone) {
         return SteadyEmission.DEFAULT.soundLevel(drone);
@@ -45,7 +45,7 @@ public interface SoundEmission {
      * The tones in its sound, which are part of its sound power: unless overridden, those of the settings, and none
      * when the motors are off.
      *
-     * @param drone as it was when the sound left it
+     * @param drone the drone, as it was when the sound left it
      */
     default List<Tone> tones(Drone drone) {
         return SteadyEmission.DEFAULT.tones(drone);

@@ -84,7 +84,7 @@ public record ThreatLabel(
         HYBRID
     }
 
-    /** A power source, as classified in section 2.1.3 of the thesis. */
+    /** A power source, as classified in section 2.1.3 of the thesis on which this project is based. */
     public enum PowerSource {
         /** Not known. */
         UNKNOWN,

@@ -63,9 +63,9 @@ public enum Airframe {
     /**
      * The attitude for an acceleration.
      *
-     * @param yaw where the nose points, which does not change, rad
+     * @param yaw heading of the nose, which does not change, rad
      * @param velocity m/s
-     * @param force that carries and accelerates the drone, per unit of mass: acceleration minus gravity, m/s2
+     * @param force specific force: acceleration minus gravity, m/s2
      */
     abstract Attitude lean(double yaw, Position velocity, Position force);
 

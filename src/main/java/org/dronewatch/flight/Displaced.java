@@ -15,7 +15,8 @@ public final class Displaced implements FlightPathSettings {
      * A flight displaced from another.
      *
      * @param leader the leader's flight
-     * @param offset to the right of the leader, ahead of it and above it, relative to its heading at time 0, m
+     * @param offset displacement to the right of the leader, ahead of it and above it, relative to its heading at time
+     *     0, m
      */
     public Displaced(FlightPathSettings leader, Position offset) {
         this.leader = leader;
@@ -47,7 +48,7 @@ public final class Displaced implements FlightPathSettings {
         return new Position(offset.x() * north + offset.y() * east, offset.y() * north - offset.x() * east, offset.z());
     }
 
-    /** Its offset from the leader: to the right, ahead and above, relative to the leader's heading at time 0, m. */
+    /** The offset from the leader: to the right, ahead and above, relative to the leader's heading at time 0, m. */
     public Position offset() {
         return offset;
     }

@@ -20,7 +20,7 @@ public interface FlightPath {
     FlightState at(double time);
 
     /**
-     * The drone's position at a time, m: bit for bit that of its state, but cheaper where the attitude takes long to
+     * The drone's position at a time, m: bit for bit that of {@link #at}, but cheaper where the attitude takes long to
      * compute.
      *
      * @param time seconds since the start of the run, 0 or more

@@ -33,7 +33,7 @@ public interface FlightPathSettings {
      */
     FlightPath create(double speed, double acceleration, Ground ground);
 
-    /** Whether the drone turns instantly, at corners that stand for turns for which the legs have room. */
+    /** Whether the drone turns instantly: each corner represents a turn, and the legs are long enough for it. */
     default boolean turnsInstantly() {
         return false;
     }
@@ -70,8 +70,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A straight flight from one point to another, at cruise speed from the beginning; at the end the drone stays in
-     * place.
+     * A straight flight from one point to another, at cruise speed from the beginning; the drone stays at the end.
      *
      * @param from position at time 0, m
      * @param to position at the end, m

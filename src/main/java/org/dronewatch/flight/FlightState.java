@@ -33,12 +33,12 @@ public record FlightState(Position position, Position velocity, Attitude attitud
         return new FlightState(position, velocity, other, gliding);
     }
 
-    /** The heading of its nose, clockwise from north, rad: the yaw. */
+    /** The heading of the drone's nose, clockwise from north, rad: the yaw. */
     public double heading() {
         return attitude.yaw();
     }
 
-    /** Whether its motors run. */
+    /** Whether the drone's motors run. */
     public boolean isPowered() {
         return gliding.isEmpty();
     }

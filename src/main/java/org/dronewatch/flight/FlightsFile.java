@@ -195,7 +195,7 @@ public final class FlightsFile {
         return name + ":" + row.getStartingLineNumber() + ": ";
     }
 
-    /** Its name and the hash of its bytes, as read. */
+    /** The file's name and the hash of its bytes, as read. */
     public FileHash hash() {
         return hash;
     }
@@ -242,7 +242,7 @@ public final class FlightsFile {
         }
     }
 
-    /** The row of a leg; reading it gives the same numbers. */
+    /** The row for a leg; reading it back gives the same numbers. */
     public static String[] row(int run, String drone, Leg leg) {
         FlightState state = leg.start();
         return new String[] {

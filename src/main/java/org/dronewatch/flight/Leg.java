@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
  * recorded flights consist of legs, and compute positions by the same arithmetic, so that a recorded flight repeats the
  * steered one bit for bit.
  *
- * @param time when it begins, seconds since the start of the run
+ * @param time time at which it begins, seconds since the start of the run
  * @param start the drone's state then
  */
 public record Leg(double time, FlightState start) {
@@ -27,7 +27,7 @@ public record Leg(double time, FlightState start) {
     /**
      * The state at a time: in the last leg that has begun by then, or in the first.
      *
-     * @param legs at least one, in order of time
+     * @param legs the legs, at least one, in order of time
      */
     public static FlightState at(List<Leg> legs, double time) {
         int low = 0;

@@ -12,7 +12,7 @@ public final class Legs {
     /** A leg continues while the flight is within this distance of it, m. */
     private static final double CLOSE = 1e-6;
 
-    /** The same for angles, rad, and for the time of gliding, s. */
+    /** As {@link #CLOSE}, for angles, rad, and for the time of gliding, s. */
     private static final double ALIKE = 1e-9;
 
     /** Ten samples a second: with an acceleration of 2.5 m/s2 a flight is written to 3 mm. */
@@ -30,7 +30,7 @@ public final class Legs {
      * The legs of all flights of a run, as {@link #of} returns them: sampled ten times a second, or less often in a
      * long run with many drones.
      *
-     * @param flights by id of the drone
+     * @param flights the flights, by id of the drone
      * @param until the end of the run, s
      * @return in the same order
      */
@@ -50,7 +50,7 @@ public final class Legs {
      *
      * @param path the flight
      * @param until its end, s
-     * @param step between two samples, above 0, s
+     * @param step interval between two samples, above 0, s
      */
     public static List<Leg> of(FlightPath path, double until, double step) {
         Optional<FlownPath> flown = FlownPath.in(path);

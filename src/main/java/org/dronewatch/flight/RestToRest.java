@@ -27,7 +27,7 @@ public final class RestToRest {
         this.duration = length / topSpeed + rampTime;
     }
 
-    /** Its duration, s. */
+    /** The duration of the motion, s. */
     public double duration() {
         return duration;
     }

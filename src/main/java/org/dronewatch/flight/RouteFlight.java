@@ -61,7 +61,7 @@ public record RouteFlight(
         return true;
     }
 
-    /** The same flight with another delay, s. */
+    /** This flight with another delay, s. */
     public RouteFlight withDelay(double seconds) {
         return new RouteFlight(from, legs, seconds);
     }

@@ -29,9 +29,9 @@ public record Steered(
     }
 
     /**
-     * The same flight, displaced.
+     * This flight, displaced.
      *
-     * @param offset to the right, ahead and above, relative to the heading at the start, m
+     * @param offset displacement to the right, ahead and above, relative to the heading at the start, m
      */
     public Steered beside(Position offset) {
         return new Steered(start.plus(Displaced.turned(offset, heading)), heading);

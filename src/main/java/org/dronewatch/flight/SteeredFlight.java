@@ -82,7 +82,7 @@ public final class SteeredFlight implements FlownPath {
      *
      * @param time seconds since the start of the run
      * @param target the point, m
-     * @param arrival when the drone is to be there, after the command, seconds since the start of the run
+     * @param arrival time at which the drone is to be there, after the command, seconds since the start of the run
      * @throws IllegalArgumentException when that requires more than the drone's speed, the point is null, the arrival
      *     is not after the command, or the flight is already known beyond that time
      * @throws IllegalStateException when the run is over, or another thread steers
@@ -191,7 +191,7 @@ public final class SteeredFlight implements FlownPath {
     /**
      * The state at a time that has been reached.
      *
-     * @throws IllegalStateException when it is yet to come
+     * @throws IllegalStateException when that time is yet to come
      */
     @Override
     public synchronized FlightState at(double time) {

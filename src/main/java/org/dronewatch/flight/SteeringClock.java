@@ -34,7 +34,10 @@ public final class SteeringClock {
         flights.forEach(flight -> flight.advance(time));
     }
 
-    /** Records that sensors take a look at a given time, s: until then, inclusive, the flights can no longer change. */
+    /**
+     * Records that sensors take a look at a given time, s: up to and including that time, the flights can no longer
+     * change.
+     */
     public void look(double time) {
         flights.forEach(flight -> flight.look(time));
     }

@@ -6,7 +6,7 @@ import java.util.List;
  * An alert for a contact.
  *
  * @param contact number of the contact
- * @param time of the alert, seconds since the start of the run
+ * @param time time of the alert, seconds since the start of the run
  * @param sensors names of the sensors that raised it, in the order of their detections
  */
 public record Alert(int contact, double time, List<String> sensors) {

@@ -36,7 +36,7 @@ public sealed interface AlertRule
         }
     }
 
-    /** An alert as soon as any sensor detects the drone, with the confirmation required. */
+    /** An alert as soon as any sensor detects the drone, with the required confirmation. */
     record AnySensor() implements AlertRule, Decision {
         @Override
         public Optional<Decision> decision() {
@@ -50,7 +50,7 @@ public sealed interface AlertRule
     }
 
     /**
-     * An alert as soon as several sensors detect the drone, each with the confirmation required.
+     * An alert as soon as several sensors detect the drone, each with the required confirmation.
      *
      * @param count number of sensors, 1 to 1000
      * @param within time within which they must detect it, 0 to 3600 s
@@ -116,7 +116,7 @@ public sealed interface AlertRule
      * alarm is 1.
      *
      * @param probability the combined probability that raises the alert, above 0 and at most 1
-     * @param within how long a look remains valid, 0 to 3600 s
+     * @param within time for which a look remains valid, 0 to 3600 s
      */
     record UnionOfProbabilities(
             @In(value = Quantity.RATIO, above = 0, to = 1) double probability,

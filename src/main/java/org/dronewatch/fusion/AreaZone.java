@@ -13,8 +13,8 @@ import org.dronewatch.world.World;
 /**
  * A protected area placed on the ground: an upright prism or cylinder in the world frame.
  *
- * @param name of the area
- * @param settings of the area
+ * @param name name of the area
+ * @param settings settings of the area
  * @param bottom its lowest height, m
  * @param top its greatest height, m
  */
@@ -84,7 +84,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return names;
     }
 
-    /** The corners of its outline; a circle is approximated by a polygon whose corners lie on it. */
+    /** The corners of the zone's outline; a circle is approximated by a polygon whose corners lie on it. */
     public List<GroundPoint> outline() {
         if (!settings.area().isEmpty()) {
             return settings.area();
@@ -100,13 +100,13 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return corners;
     }
 
-    /** The distance from a point to its surface, 0 inside, m. */
+    /** The distance from a point to the zone's surface, 0 inside, m. */
     public double distance(Position position) {
         double above = Math.max(0.0, Math.max(bottom - position.z(), position.z() - top));
         return Math.hypot(above, beside(position.x(), position.y()));
     }
 
-    /** Whether a point in plan view lies within its outline. */
+    /** Whether a point in plan view lies within the zone's outline. */
     public boolean covers(double x, double y) {
         return beside(x, y) == 0.0;
     }
@@ -139,7 +139,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
     }
 
     /**
-     * The position along a straight segment at which its surface is first reached.
+     * The position along a straight segment at which the zone's surface is first reached.
      *
      * @param from start of the segment, m
      * @param to its end, m

@@ -14,7 +14,7 @@ import org.dronewatch.setting.Quantity;
 public record Confirmation(
         @In(value = Quantity.NUMBER, from = 1, to = 100) int hits,
         @In(value = Quantity.NUMBER, from = 1, to = 100) int looks) {
-    /** One look is enough. */
+    /** One detection is enough. */
     public static final Confirmation DEFAULT = new Confirmation(1, 1);
 
     /** Checks the limits. */
@@ -30,7 +30,7 @@ public record Confirmation(
      * independently of the others: the upper tail of the binomial distribution, {@code sum over k from hits to looks of
      * C(looks, k) p^k (1-p)^(looks-k)}. With 3 of 5 looks, 0.9 becomes 0.99144, and 0.001 becomes 9.985e-9.
      *
-     * @param ofOneLook 0 to 1
+     * @param ofOneLook the probability that a look detects the contact, 0 to 1
      */
     public double probability(double ofOneLook) {
         double sum = 0.0;
@@ -45,7 +45,7 @@ public record Confirmation(
      * exactly {@code hits - 1} of the {@code looks - 1} looks before it were hits, and the look before those was a
      * miss. It is {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)}.
      *
-     * @param ofOneLook the probability that a look detects it, independently of the others, 0 to 1
+     * @param ofOneLook the probability that a look detects the contact, independently of the others, 0 to 1
      */
     public double onset(double ofOneLook) {
         return ofOneLook * (1.0 - ofOneLook) * binomial(looks - 1, hits - 1, ofOneLook);

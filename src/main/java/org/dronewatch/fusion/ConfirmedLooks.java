@@ -7,7 +7,7 @@ public final class ConfirmedLooks {
     private int next;
     private int hits;
 
-    /** No looks so far. */
+    /** A record without looks. */
     public ConfirmedLooks(Confirmation confirmation) {
         this.last = new boolean[confirmation.looks()];
         this.needed = confirmation.hits();

@@ -56,7 +56,7 @@ public record FalseAlertRate(
         merging = List.copyOf(merging);
     }
 
-    /** The rate with an alert rule and a scene's sensors, in given weather. */
+    /** The rate that results from an alert rule and a scene's sensors in given weather. */
     public static FalseAlertRate of(AlertSettings alert, Map<String, SensorSettings<?>> sensors, Weather weather) {
         Map<String, Confirmed> known = new LinkedHashMap<>();
         List<String> unknown = new ArrayList<>();

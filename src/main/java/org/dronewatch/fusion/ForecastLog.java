@@ -25,7 +25,10 @@ public final class ForecastLog {
         this.rule = rule;
     }
 
-    /** A log of a run at its start; empty if the rule of an alert decides, as that of {@link AlertLog} does. */
+    /**
+     * A log of a run at its start; empty unless the alert rule makes forecasts: {@link AlertLog} applies the other
+     * rules.
+     */
     public static Optional<ForecastLog> of(AlertSettings settings) {
         return settings.rule() instanceof AlertRule.UnionOfProbabilities union
                 ? Optional.of(new ForecastLog(union))

@@ -25,13 +25,13 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         return new ProtectedZone(centre, 10.0);
     }
 
-    /** The distance from a point to its surface, 0 inside, m. */
+    /** The distance from a point to the zone's surface, 0 inside, m. */
     public double distance(Position position) {
         return Math.max(0.0, position.distance(centre) - radius);
     }
 
     /**
-     * The position along a straight segment at which its surface is first reached.
+     * The position along a straight segment at which the zone's surface is first reached.
      *
      * @param from start of the segment, m
      * @param to its end, m
@@ -53,7 +53,7 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         return share >= 0.0 && share <= 1.0 ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
-    /** The flight time to its surface in a straight line, s: 50 s for 1 km at 20 m/s. */
+    /** The flight time to the zone's surface in a straight line, s: 50 s for 1 km at 20 m/s. */
     public double timeLeft(Position position, double speed) {
         return distance(position) / speed;
     }

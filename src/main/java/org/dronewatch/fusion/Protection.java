@@ -33,7 +33,7 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
         return new Protection(alert.protect(), areas);
     }
 
-    /** Whether there is no zone. */
+    /** Whether nothing is protected. */
     public boolean isEmpty() {
         return zone.isEmpty() && areas.isEmpty();
     }

@@ -9,14 +9,14 @@ import org.dronewatch.setting.Quantity;
 
 /** The aim of a sensor: a position at which it points, or a direction. */
 public sealed interface Aim permits Aim.Direction, Aim.Target {
-    /** The least distance from a sensor to the point at which it aims, m. */
+    /** The minimum distance from a sensor to the point at which it aims, m. */
     double NEAREST = 0.001;
 
     /**
      * A vector from a sensor in the direction in which it points, of any non-zero length.
      *
      * @param sensor position of the sensor, m
-     * @throws IllegalArgumentException when the point at which it aims is less than a millimetre away
+     * @throws IllegalArgumentException when the point at which the sensor aims is less than a millimetre away
      */
     Position from(Position sensor);
 
@@ -49,7 +49,7 @@ public sealed interface Aim permits Aim.Direction, Aim.Target {
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double azimuth,
             @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double elevation)
             implements Aim {
-        /** Horizontal, to the north. */
+        /** A horizontal aim to the north. */
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 

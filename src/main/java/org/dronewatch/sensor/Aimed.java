@@ -3,10 +3,10 @@ package org.dronewatch.sensor;
 /** Settings of a sensor that can be aimed. This is a capability, queried by {@link SensorSettings#as}. */
 public interface Aimed {
 
-    /** Its aim, in effect when no positioner turns it. */
+    /** The aim of the sensor, in effect when no positioner turns it. */
     Aim aim();
 
-    /** Whether it matters where it is turned: not if it is the same in all horizontal directions. */
+    /** Whether it matters where the sensor points; false if it is the same in all horizontal directions. */
     default boolean isDirectional() {
         return true;
     }

@@ -18,8 +18,8 @@ public interface AssessableSensor extends Sensor {
      * The signal that the sensor receives from a drone.
      *
      * @param world the site
-     * @param drone as it appears at the sensor: for a signal that takes time to arrive, as it was when the signal left
-     *     it
+     * @param drone the drone, as it appears at the sensor: for a signal that takes time to arrive, as it was when the
+     *     signal left it
      * @param pointing where a positioner points the sensor; empty for its own aim
      * @param rayRandom random numbers for sensors that trace random rays; others draw none
      */
@@ -38,10 +38,10 @@ public interface AssessableSensor extends Sensor {
 
     /**
      * Whether the signal and the reason for a miss are certain to be the same at every heading and speed of a level
-     * drone at its position, so that a field of assessments needs only one of them there. False unless overridden.
+     * drone at its position, so that a field of assessments needs only one assessment there. False unless overridden.
      *
      * @param world the site
-     * @param drone at any heading and speed
+     * @param drone the drone, at any heading and speed
      * @param pointing where a positioner points the sensor; empty for its own aim
      */
     default boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {
@@ -49,8 +49,8 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
-     * Whether the signal and the reason for a miss are certain not to depend on the speed of a level drone, except for
-     * the direction of its nose. False unless overridden.
+     * Whether the signal and the reason for a miss are certain not to depend on the speed of a level drone, although
+     * they may depend on its heading. False unless overridden.
      */
     default boolean isSameAtAllSpeeds() {
         return false;
@@ -58,11 +58,10 @@ public interface AssessableSensor extends Sensor {
 
     /**
      * As {@link #assess}, but at less cost where possible, for a field that stores probabilities in steps. A
-     * probability may be replaced by another one that counts as equal; those of 0 and 1 are also the same. Estimates
-     * may draw other random numbers; they are just as accurate, unless it matters only on which side of a limit they
-     * lie. For a drone that is detected, the quantity may be lower, and so may that of an estimate for one that is
-     * missed; the cause and the obstacle are the same, unless an estimate decides. The same as {@code assess} unless
-     * overridden.
+     * probability may be replaced by another one that counts as equal, but 0 and 1 are not replaced. Estimates may draw
+     * other random numbers; they are just as accurate, unless it matters only on which side of a limit they lie. The
+     * quantity may be lower for a drone that is detected and, if it is an estimate, for one that is missed; the cause
+     * and the obstacle are the same unless they depend on an estimate. Calls {@code assess} unless overridden.
      *
      * @param resolution the probabilities that count as equal
      */

@@ -16,7 +16,7 @@ import org.dronewatch.world.World;
  * derives the cause of a miss from the sensor's field of view and from occlusion. The probability is then that of the
  * look, or 0 or 1 if the look states none. A look that states one may have drawn its threshold, so the probability
  * itself is the quantity, and the threshold is 0.5; for a drone that the look omits, the quantity is 0 and the
- * threshold 1. One thread at a time.
+ * threshold 1. For use by one thread at a time.
  */
 public final class Assessor {
     private static final double EVEN_CHANCE = 0.5;

@@ -14,15 +14,18 @@ import org.dronewatch.world.World;
  */
 public interface BoundingSensor extends AssessableSensor {
 
-    /** The same sensor for another thread: it shares what all threads can use, such as the image of the site. */
+    /**
+     * An equivalent sensor for use by another thread; the two share what threads can share, such as the image of the
+     * site.
+     */
     BoundingSensor sibling();
 
     /**
      * Bounds that hold at every heading and speed of a level drone.
      *
      * @param world the site
-     * @param drone the drone, wherever it is
-     * @param at where its origin is assumed to be, m
+     * @param drone the drone, at any position
+     * @param at assumed position of its origin, m
      * @param pointing where a positioner points the sensor; empty for its own aim
      * @return empty where the assessment depends on the heading, or no bounds are known
      */
@@ -40,7 +43,7 @@ public interface BoundingSensor extends AssessableSensor {
             World world, Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps);
 
     /**
-     * An upper bound on the margin of a drone in a state, dB; other parameters as for {@link #bound}. The bounds
+     * An upper bound on the margin of a drone in a given state, dB; other parameters as for {@link #bound}. The bounds
      * returned by that method depend on what earlier queries have prepared; this one does not depend on the order of
      * queries.
      */

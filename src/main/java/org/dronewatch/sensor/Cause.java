@@ -13,26 +13,26 @@ public enum Cause {
     OUT_OF_RANGE,
     /** Outside the sensor's field of view. */
     OUT_OF_VIEW,
-    /** It emits nothing that the sensor could receive, or recognise as a drone's. */
+    /** The drone emits nothing that the sensor could receive, or recognise as the signal of a drone. */
     SILENT,
-    /** Its radial speed is too low for the sensor to separate it from stationary clutter. */
+    /** The drone's radial speed is too low for the sensor to separate it from stationary clutter. */
     TOO_SLOW,
-    /** Its radial speed is higher than the sensor can follow. */
+    /** The drone's radial speed is higher than the sensor can follow. */
     TOO_FAST,
     /**
-     * It is hidden, and terrain is the first obstacle on the line of sight. A drone counts as hidden if no part of it
-     * is visible, or if it would be detected without the obstacle.
+     * The drone is hidden, and terrain is the first obstacle on the line of sight. A drone counts as hidden if no part
+     * of it is visible, or if it would be detected without the obstacle.
      */
     HIDDEN_BY_TERRAIN,
-    /** It is hidden by a building, in the same sense. */
+    /** The drone is hidden by a building, in the sense of {@link #HIDDEN_BY_TERRAIN}. */
     HIDDEN_BY_BUILDING,
-    /** It is hidden by vegetation, in the same sense. */
+    /** The drone is hidden by vegetation, in the sense of {@link #HIDDEN_BY_TERRAIN}. */
     HIDDEN_BY_VEGETATION,
-    /** It is hidden by any other model, in the same sense. */
+    /** The drone is hidden by any other model, in the sense of {@link #HIDDEN_BY_TERRAIN}. */
     HIDDEN_BY_OTHER,
-    /** Its signal at the sensor is insufficient: too small, too faint or too quiet. */
+    /** The drone's signal at the sensor is insufficient: too small, too faint or too quiet. */
     TOO_WEAK,
-    /** It is detected: there is nothing to explain. */
+    /** The drone is detected: there is no miss to explain. */
     DETECTED;
 
     /** The cause for a drone that is hidden by a model of a given role. */

@@ -6,8 +6,8 @@ package org.dronewatch.sensor;
  */
 public enum Chance {
     /**
-     * In each look independently, as echoes and noise fluctuate. A sensor that compares an exact value with a threshold
-     * belongs here, too: the probability is 0 or 1.
+     * Chance decides in each look independently, as echoes and noise fluctuate. A sensor that compares an exact value
+     * with a threshold belongs here, too: the probability is 0 or 1.
      */
     PER_LOOK {
         @Override
@@ -16,8 +16,8 @@ public enum Chance {
         }
     },
     /**
-     * Once per {@link Encounter}: the probability is the fraction of observers who can find the drone at all, and an
-     * observer who can find it needs time to do so.
+     * Chance decides once per {@link Encounter}: the probability is the fraction of observers who can find the drone at
+     * all, and an observer who can find it needs time to do so.
      */
     PER_ENCOUNTER {
         @Override

@@ -51,7 +51,7 @@ public enum Condition {
         this.droneSetting = droneSetting;
     }
 
-    /** The setting in {@code drones.ID} that states this condition; none for a condition of the whole site. */
+    /** The setting in {@code drones.ID} that states this condition; empty for a condition of the whole site. */
     public Optional<String> droneSetting() {
         return Optional.of(droneSetting).filter(name -> !name.isEmpty());
     }

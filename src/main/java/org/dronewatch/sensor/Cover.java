@@ -9,7 +9,7 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** Finds the obstacles that hide drones from a sensor. Keeps scratch memory: one thread at a time. */
+/** Finds the obstacles that hide drones from a sensor. Keeps scratch memory: for use by one thread at a time. */
 public final class Cover {
     private final Visibility visibility;
     private final Position sensor;
@@ -55,8 +55,8 @@ public final class Cover {
      * The reason why a drone in range and in view is missed: hidden, or too weak. Conditions that cost more than a ray
      * are evaluated only where they matter.
      *
-     * @param invisible whether the sensor receives nothing from it
-     * @param detectedInTheOpen whether it would be detected if nothing hid it
+     * @param invisible whether the sensor receives nothing from the drone
+     * @param detectedInTheOpen whether the drone would be detected if nothing hid it
      */
     public Explanation explain(Drone drone, BooleanSupplier invisible, BooleanSupplier detectedInTheOpen) {
         Optional<Obstacle> before = ofOrigin(drone);

@@ -7,7 +7,7 @@ import org.dronewatch.world.World;
 
 /** A sensor that can provide curves for a drone, such as a spectrum. */
 public interface CurveSensor extends Sensor {
-    /** The purpose for which curves draw random numbers; see {@link Look#random}. */
+    /** The purpose of the random numbers that are drawn for curves; see {@link Look#random}. */
     String CURVES = "curves";
 
     /**

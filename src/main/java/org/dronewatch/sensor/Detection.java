@@ -24,7 +24,7 @@ public record Detection(Observation observation) {
         return observation.range();
     }
 
-    /** The time at which the sensor detected it, seconds since the start of the run. */
+    /** The time at which the sensor detected the drone, seconds since the start of the run. */
     public double time() {
         return observation.arrival();
     }

@@ -9,7 +9,7 @@ package org.dronewatch.sensor;
  * and Electro-Optical Systems Handbook", vol. 4, 1993).
  */
 public enum Discrimination {
-    /** Something is seen to be present: 0.75 line pairs. */
+    /** The presence of an object is noticed: 0.75 line pairs. */
     DETECTION(0.75),
     /** The target is recognised as a drone: 3 line pairs. */
     RECOGNITION(3.0),

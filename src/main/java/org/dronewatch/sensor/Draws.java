@@ -45,7 +45,7 @@ public final class Draws {
      * The seed of one of several runs or replications: the given seed for the first, and the upper 53 bits of
      * {@code mix(mix(seed, hash(of)), number)} for the others.
      *
-     * @param of what is numbered, such as {@code run}
+     * @param of the kind of thing that is numbered, such as {@code run}
      * @param number its number, from 0
      */
     public static long derivedSeed(long seed, String of, long number) {

@@ -14,13 +14,13 @@ package org.dronewatch.sensor;
  * <p>at any frame rate: each picture covers the time since the last one, and the search is memoryless, so the success
  * in each picture can be drawn independently. The search time is that of the ACQUIRE model (Howe, in "The Infrared and
  * Electro-Optical Systems Handbook", vol. 4, 1993). Observers differ, and each of them searches at random: these are
- * two separate sources of chance, and tests with observers show both ("Modeling the observer in target acquisition",
+ * two separate random effects, and tests with observers show both ("Modeling the observer in target acquisition",
  * SPIE).
  *
- * <p>Once found, the drone is held while {@code P >= u}, without another search. An encounter begins when a drone can
- * be seen at all (P above 0), and ends once it has been out of sight for more than {@link #GAP}: if it comes back
- * later, that is a new encounter with a new draw. A drone that passes behind a tree is met once; one that spends a
- * minute behind a hill is met twice.
+ * <p>Once found, the drone remains detected while {@code P >= u}, without another search. An encounter begins when a
+ * drone can be seen at all (P above 0), and ends once it has been out of sight for more than {@link #GAP}: if it comes
+ * back later, that is a new encounter with a new draw. Passing behind a tree does not end an encounter; a minute behind
+ * a hill does.
  *
  * @param index number of the encounter of this sensor with this drone, from 0
  * @param isFollowed whether the observer knows where the drone is, so that a positioner can follow it: the drone is

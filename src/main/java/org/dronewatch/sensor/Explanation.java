@@ -8,11 +8,11 @@ import org.dronewatch.world.Obstacle;
  * A cause with its evidence.
  *
  * @param cause why a drone is not detected
- * @param obstacle the obstacle that hides it; present if and only if the cause is
+ * @param obstacle the obstacle that hides the drone; present if and only if the cause is
  *     {@link Cause#isHidden() that the drone is hidden}
- * @param limit the limit that it violates: range in m where it is out of range, radial speed in m/s where it is too
- *     slow or too fast, frequency in Hz where it is silent only because the sensor does not receive its carrier; empty
- *     for other causes, and where the limit is unknown
+ * @param limit the limit that the drone violates: range in m where it is out of range, radial speed in m/s where it is
+ *     too slow or too fast, frequency in Hz where it is silent only because the sensor does not receive its carrier;
+ *     empty for other causes, and where the limit is unknown
  */
 public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDouble limit) {
     /** The explanation for a drone that is detected. */

@@ -5,7 +5,7 @@ package org.dronewatch.sensor;
  * positioner or alert rule reads it.
  *
  * @param drone name of the drone; empty for a false measurement
- * @param range distance from the sensor to the drone's origin at {@code time}, m; not a number for a false measurement
+ * @param range distance from the sensor to the drone's origin at {@code time}, m; NaN for a false measurement
  * @param time when the measured signal left the drone, seconds since the start of the run: for sound, earlier than the
  *     look
  */

@@ -12,7 +12,8 @@ import org.dronewatch.world.World;
 public interface InterpolableSensor extends AssessableSensor {
 
     /**
-     * The signal that would arrive if there were nothing but air in between, which is computed at very little cost.
+     * The signal that would arrive if there were nothing but air between the drone and the sensor, which is computed at
+     * very little cost.
      *
      * @return empty where the signal must be assessed at each position
      */

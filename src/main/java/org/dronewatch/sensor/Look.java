@@ -10,7 +10,7 @@ import org.dronewatch.positioner.Pointing;
  * threads.
  *
  * @param sensor name of the sensor in the scene
- * @param index number of the look, from 0
+ * @param index index of the look, from 0
  * @param time seconds since the start of the run
  * @param seed seed of the run
  * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look

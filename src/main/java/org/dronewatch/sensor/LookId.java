@@ -5,7 +5,7 @@ package org.dronewatch.sensor;
  *
  * @param sensor name of the sensor in the scene
  * @param kind its kind, such as {@code camera}
- * @param index number of the look, from 0
+ * @param index index of the look, from 0
  * @param time when the signal reached the sensor, seconds since the start of the run
  */
 public record LookId(String sensor, String kind, long index, double time) {}

@@ -19,7 +19,7 @@ public record Measurement(LookId look, Reading reading, Optional<Sighting> sight
         return look.sensor();
     }
 
-    /** The time at which the sensor obtained it, seconds since the start of the run. */
+    /** The time at which the sensor obtained this measurement, seconds since the start of the run. */
     public double time() {
         return look.time();
     }

@@ -12,21 +12,21 @@ import org.dronewatch.positioner.PositionerSettings;
  */
 public interface Mounted {
 
-    /** The positioner that turns it; empty for a sensor on a fixed mount. */
+    /** The positioner that turns the sensor; empty for a sensor on a fixed mount. */
     Optional<PositionerSettings> positioner();
 
-    /** Its positioner at the start of a run; empty for a sensor on a fixed mount. */
+    /** The sensor's positioner at the start of a run; empty for a sensor on a fixed mount. */
     Optional<Positioner> createPositioner();
 
     /**
-     * The pointing of its positioner once it has turned to a position; empty for a sensor on a fixed mount.
+     * The pointing of the sensor's positioner once it has turned to a position; empty for a sensor on a fixed mount.
      *
      * @param target position, m
      */
     Optional<Pointing> turnedTo(Position target);
 
     /**
-     * The settings of the same sensor on a fixed mount that points as a positioner does now.
+     * The settings of this sensor on a fixed mount that points as its positioner does at present.
      *
      * @param pointing direction and field of view
      */

@@ -98,7 +98,7 @@ public record Observation(
         return look.time();
     }
 
-    /** Distance from the sensor to the drone's origin at {@link #time}, m; not a number for a false measurement. */
+    /** Distance from the sensor to the drone's origin at {@link #time}, m; NaN for a false measurement. */
     public double range() {
         return truth.range();
     }
@@ -118,7 +118,7 @@ public record Observation(
         return reading.unit();
     }
 
-    /** Whether it is a false alarm, which no drone caused. */
+    /** Whether this observation is a false alarm, which no drone caused. */
     public boolean isFalse() {
         return truth.isNothing();
     }
@@ -159,7 +159,7 @@ public record Observation(
         return with(BIRD);
     }
 
-    /** Whether it is an observation of a bird, for scoring: a detection is then a false alarm. */
+    /** Whether this is an observation of a bird, for scoring: a detection is then a false alarm. */
     public boolean isBird() {
         return figures.containsKey(BIRD);
     }

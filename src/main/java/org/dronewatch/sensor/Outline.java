@@ -13,15 +13,15 @@ public sealed interface Outline {
     double ROUNDING = 1e-9;
 
     /**
-     * Whether a point is within it.
+     * Whether a point is within the field of view.
      *
      * @param vector vector from the sensor, m
      */
     boolean contains(Position vector);
 
     /**
-     * Whether some part of a sphere may be within it: false only if none is. For shapes other than a frustum, whether
-     * the centre of the sphere is.
+     * Whether some part of a sphere may be within a frustum: false only if no part is. For other shapes, whether the
+     * centre of the sphere is within the field of view.
      *
      * @param vector vector from the sensor to the centre, m
      * @param radius radius of the sphere, m
@@ -38,11 +38,11 @@ public sealed interface Outline {
      * @param up unit vector to the top of the image
      * @param halfWidth half the width of the field at 1 m along the axis, m
      * @param halfHeight half the height of the field at 1 m along the axis, m
-     * @param middleRight how far the middle of the field is to the right of the axis there, m; 0 unless the lens is
-     *     shifted
-     * @param middleUp how far it is above the axis there, m
-     * @param near where it begins, as a distance along the axis, m
-     * @param far where it ends, as a distance along the axis, m; infinity if it does not end
+     * @param middleRight distance of the field's centre to the right of the axis at 1 m along it, m; 0 unless the lens
+     *     is shifted
+     * @param middleUp distance of the field's centre above the axis at 1 m along it, m
+     * @param near distance along the axis at which the field begins, m
+     * @param far distance along the axis at which the field ends, m; infinity if it has no end
      */
     record Frustum(
             Position forward,
@@ -55,12 +55,12 @@ public sealed interface Outline {
             double near,
             double far)
             implements Outline {
-        /** The vector to the middle of the field 1 m along the axis, m. */
+        /** The vector to the centre of the field 1 m along the axis, m. */
         public Position middle() {
             return forward.plus(right.times(middleRight)).plus(up.times(middleUp));
         }
 
-        /** The corners of the field at a distance along its axis, in order, m. */
+        /** The corners of the field at a distance along its axis, clockwise from the top left, m. */
         public List<Position> corners(Position sensor, double distance) {
             List<Position> corners = new ArrayList<>();
             for (int i = 0; i < 4; i++) {
@@ -106,8 +106,8 @@ public sealed interface Outline {
      * @param elevation elevation of its centre, above the horizon, rad
      * @param azimuthWidth its width, rad; 2 pi for a full circle
      * @param elevationWidth its height, rad
-     * @param minRange where it begins, m
-     * @param maxRange where it ends, m
+     * @param minRange minimum distance, m
+     * @param maxRange maximum distance, m
      */
     record Sector(
             double azimuth,
@@ -117,7 +117,7 @@ public sealed interface Outline {
             double minRange,
             double maxRange)
             implements Outline {
-        /** Whether a point is between the two distances. */
+        /** Whether the distance of a point is within the range limits. */
         public boolean reaches(Position vector) {
             double range = vector.length();
             return range >= minRange && range <= maxRange;
@@ -141,7 +141,7 @@ public sealed interface Outline {
     /**
      * A sphere around the sensor.
      *
-     * @param radius m
+     * @param radius its radius, m
      */
     record Ball(double radius) implements Outline {
         @Override

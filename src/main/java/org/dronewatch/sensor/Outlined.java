@@ -9,7 +9,7 @@ import org.dronewatch.positioner.Pointing;
  */
 public interface Outlined {
 
-    /** The shape for the sensor's own aim. */
+    /** The shape of the field of view for the sensor's own aim. */
     Outline outline();
 
     /** The shape of any sensor's field of view for its own aim; empty for a sensor that has none. */

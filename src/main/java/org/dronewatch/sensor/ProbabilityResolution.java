@@ -1,8 +1,8 @@
 package org.dronewatch.sensor;
 
 /**
- * How finely a probability of detection has to be resolved. A sensor may skip work that would only make a difference
- * below that.
+ * How finely a probability of detection has to be resolved. A sensor may skip work that would only make a smaller
+ * difference.
  *
  * @param high probabilities from this one up to 1, exclusive, count as equal, above 0 and at most 1
  * @param isSideOnly whether those below it count as equal, too: only the side on which a probability lies matters, and
@@ -16,12 +16,15 @@ public record ProbabilityResolution(double high, boolean isSideOnly) {
         }
     }
 
-    /** Distinguishes all probabilities below a high one; that one and those above it count as equal. */
+    /**
+     * A resolution that distinguishes all probabilities below a limit; those from the limit up to 1, exclusive, count
+     * as equal.
+     */
     public static ProbabilityResolution upTo(double high) {
         return new ProbabilityResolution(high, false);
     }
 
-    /** Distinguishes only the two sides of a boundary; the boundary itself is on the upper side. */
+    /** A resolution that distinguishes only the two sides of a boundary; the boundary itself is on the upper side. */
     public static ProbabilityResolution sideOf(double boundary) {
         return new ProbabilityResolution(boundary, true);
     }

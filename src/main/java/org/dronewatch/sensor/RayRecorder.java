@@ -9,14 +9,14 @@ public interface RayRecorder {
     /**
      * One straight segment of a ray.
      *
-     * @param fromX where it begins, m
-     * @param fromY where it begins, m
-     * @param fromZ where it begins, m
-     * @param toX where it ends: at a surface, at the sensor, or after 1 km if it hits nothing, m
-     * @param toY where it ends, m
-     * @param toZ where it ends, m
+     * @param fromX x coordinate of its start, m
+     * @param fromY y coordinate of its start, m
+     * @param fromZ z coordinate of its start, m
+     * @param toX x coordinate of its end, m: at a surface, at the sensor, or after 1 km if the ray hits nothing
+     * @param toY y coordinate of its end, m
+     * @param toZ z coordinate of its end, m
      * @param level level of the ray at the end of the segment, dB
-     * @param order how many surfaces the ray has hit before it
+     * @param order number of surfaces that the ray has hit before this segment
      * @param received whether it ends at the sensor
      */
     void record(

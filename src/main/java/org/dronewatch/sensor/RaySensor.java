@@ -7,7 +7,7 @@ import org.dronewatch.world.World;
 
 /** A sensor that traces rays from a drone and can report each of them. */
 public interface RaySensor extends Sensor {
-    /** The purpose for which rays draw random numbers; see {@link Look#random}. */
+    /** The purpose of the random numbers that are drawn for rays; see {@link Look#random}. */
     String RAYS = "rays";
 
     /**
@@ -21,11 +21,11 @@ public interface RaySensor extends Sensor {
     void traceRays(World world, Drone drone, RandomGenerator random, RayRecorder recorder);
 
     /**
-     * Whether a look at a drone alone detects it: the same result as that of {@link #observe} with the same random
+     * Whether a look at a single drone detects it: the same result as that of {@link #observe} with the same random
      * numbers, perhaps at less cost.
      *
      * @param world the site
-     * @param drone as it appears at the sensor
+     * @param drone the drone, as it appears at the sensor
      */
     default boolean detects(World world, Drone drone, Look look) {
         return observe(world, List.of(drone), look).stream()

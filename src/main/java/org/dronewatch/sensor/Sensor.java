@@ -15,7 +15,7 @@ public interface Sensor {
      *
      * @param world the site
      * @param drones the drones as they appear at the sensor at the look's time: as they are, or, for a signal that
-     *     takes time to arrive, as they were when it left them
+     *     takes time to arrive, as they were when the signal left them
      * @param look identity, time and random numbers of the look
      * @return the observations: usually one of each drone, in the same order; a sensor may leave drones out, observe
      *     one several times, and report false alarms ({@link Observation#ofNothing})

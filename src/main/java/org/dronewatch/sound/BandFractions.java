@@ -39,7 +39,7 @@ public record BandFractions(
         Limits.check(BandFractions.class, hz63, hz125, hz250, hz500, hz1000, hz2000, hz4000, hz8000);
     }
 
-    /** The same fraction in every band, 0 to 1. */
+    /** Fractions that are the same in every band, 0 to 1. */
     public static BandFractions flat(double fraction) {
         return new BandFractions(fraction, fraction, fraction, fraction, fraction, fraction, fraction, fraction);
     }

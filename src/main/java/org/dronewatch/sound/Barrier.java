@@ -26,7 +26,10 @@ public final class Barrier {
      */
     public static final double MAEKAWA_REACH = 0.05;
 
-    /** The same limit in ISO 9613-2, in wavelengths: N = -0.2. */
+    /**
+     * Magnitude of the negative path difference, in wavelengths, beyond which an edge causes no attenuation in ISO
+     * 9613-2: N = -0.2.
+     */
     public static final double ISO_REACH = 0.1;
 
     private static final double AT_THE_BORDER = 3.0;

@@ -2,7 +2,7 @@ package org.dronewatch.sound;
 
 /** The dependence of a source's sound on the elevation at which it is radiated. */
 public enum Directivity {
-    /** The same in all directions. */
+    /** The sound is the same in all directions. */
     OMNIDIRECTIONAL {
         @Override
         public double publishedGain(int band, double elevation) {
@@ -10,10 +10,10 @@ public enum Directivity {
         }
     },
     /**
-     * Directivity of rotors: from 500 Hz on, fainter near their plane and louder above and below it. A high shelf of
-     * {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); the
-     * division of a shelf at 500 Hz among octave bands is assumed: none of the decibels up to 250 Hz, half of them at
-     * 500 Hz, all of them from 1 kHz on.
+     * Directivity of rotors: from 500 Hz upwards, fainter near their plane and louder above and below it. A high shelf
+     * of {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020);
+     * how a shelf at 500 Hz is apportioned among octave bands is assumed: none of its gain up to 250 Hz, half of it (in
+     * dB) at 500 Hz, and all of it from 1 kHz upwards.
      */
     ROTOR {
         @Override
@@ -52,7 +52,7 @@ public enum Directivity {
      * Gain as published, dB, relative to a level that is not the mean over all directions.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
-     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below
+     * @param elevation elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below
      */
     public abstract double publishedGain(int band, double elevation);
 
@@ -61,7 +61,7 @@ public enum Directivity {
      * is 0 dB, so that the sound power is unchanged.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
-     * @param elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below
+     * @param elevation elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below
      */
     public double index(int band, double elevation) {
         return publishedGain(band, elevation) - mean()[band];

@@ -24,8 +24,8 @@ public record NarrowBand(double frequency, double width, int octave) {
      * of their speed, 0.5 % plus 0.52 % for each m/s of wind, is the relative width of all their tones (Heutschi and
      * others, Acta Acustica 4, 24, 2020, at a height of 10 m).
      *
-     * @param frequency at the listener, Hz
-     * @param wind speed, m/s, 0 or more
+     * @param frequency frequency at the listener, Hz
+     * @param wind wind speed, m/s, 0 or more
      * @return empty outside the octave bands from 63 Hz to 8 kHz
      */
     public static Optional<NarrowBand> ofLine(double frequency, double wind) {

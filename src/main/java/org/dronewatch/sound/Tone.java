@@ -17,7 +17,7 @@ public record Tone(int harmonic, double frequency, double share) {
      *
      * @param approach speed of the drone towards the listener when it emitted the sound, m/s; negative when it flies
      *     away
-     * @param soundSpeed in the air, m/s, above 0
+     * @param soundSpeed speed of sound in the air, m/s, above 0
      */
     public OptionalDouble heard(double approach, double soundSpeed) {
         double compressed = 1.0 - approach / soundSpeed;

@@ -51,7 +51,7 @@ public record Wind(
     }
 
     /**
-     * Its speed at a height above the ground, m/s; 0 at the ground and below.
+     * The speed of the wind at a height above the ground, m/s; 0 at the ground and below.
      *
      * @param height m
      */
@@ -60,8 +60,8 @@ public record Wind(
     }
 
     /**
-     * The mean increase of its speed with height between two heights: the gradient of the linear profile with the same
-     * speeds at both, 1/s.
+     * The mean increase of the wind speed with height, between two heights: the gradient of the linear profile with the
+     * same speeds at both, 1/s.
      *
      * @param height above the ground, m
      * @param other the other height above the ground, m

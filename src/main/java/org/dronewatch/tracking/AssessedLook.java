@@ -1,13 +1,13 @@
 package org.dronewatch.tracking;
 
 /**
- * How likely a look of a sensor was to detect a contact, whether or not it did, for scoring: no sensor knows this of
- * what it has not detected.
+ * How likely a look of a sensor was to detect a contact, whether or not it did, for scoring: no sensor knows this about
+ * a contact that it has not detected.
  *
  * @param contact number of the contact
  * @param sensor name of the sensor
  * @param time time of reception at the sensor, seconds since the start of the run
- * @param probability 0 to 1; 0 or 1 (whether it detected it) for a sensor that does not estimate a probability, and for
- *     a false alarm
+ * @param probability 0 to 1; 0 or 1, depending on whether the look detected the contact, for a sensor that does not
+ *     estimate a probability, and for a false alarm
  */
 public record AssessedLook(int contact, String sensor, double time, double probability) {}

@@ -10,7 +10,7 @@ import org.dronewatch.sensor.Measurement;
  * @param contact number of the contact
  * @param sensor name of the sensor
  * @param time time of reception at the sensor, seconds since the start of the run
- * @param measurements of the contact: none, one or several
+ * @param measurements measurements of the contact: none, one or several
  */
 public record ContactLook(int contact, String sensor, double time, List<Measurement> measurements) {
     /** Copies the list: later changes by the caller have no effect. */

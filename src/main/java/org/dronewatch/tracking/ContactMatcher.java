@@ -4,8 +4,8 @@ import java.util.List;
 
 /**
  * Matches confirmed contacts of different sensors: decides which of them are one object, for rules that require several
- * sensors. It is a part of the association, and answers with other contacts alone: whoever asks does not learn what a
- * contact is. Not thread-safe.
+ * sensors. It is a part of the association, and returns nothing but other contacts, so the caller does not learn what
+ * caused them. Not thread-safe.
  */
 public interface ContactMatcher {
     /** Matches no contacts, for rules that one sensor can meet. */
@@ -27,7 +27,7 @@ public interface ContactMatcher {
         }
     };
 
-    /** Creates matchers: an association. */
+    /** Creates matchers; an association implements it. */
     @FunctionalInterface
     interface Source {
         /**
@@ -44,7 +44,8 @@ public interface ContactMatcher {
 
     /**
      * The contacts of other sensors that are one object with a contact, in the order of their confirmation; at most one
-     * of each sensor. What several sensors measured of one object may have one number already: then there are none.
+     * of each sensor. If measurements of one object by several sensors already share a contact number, the result is
+     * empty.
      *
      * @param confirmed a contact that has been confirmed at the present look of its sensor
      */
@@ -53,6 +54,6 @@ public interface ContactMatcher {
     /** Removes a contact, which matches no other from then on. */
     void remove(int contact);
 
-    /** How many contacts it remembers at present. */
+    /** The number of contacts that this matcher remembers at present. */
     int size();
 }

@@ -19,7 +19,7 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * It takes the place of a tracker, which this library does not have, and is an upper bound on the performance of one.
  * False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, are one contact, too, as
  * long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 in the
- * order in which they appear; the numbers carry no information about drones. One per run.
+ * order in which they appear; the numbers carry no information about drones. For use in one run.
  *
  * <p>False contacts of different sensors are matched by time and bearing, as by a tracker ({@link #matcher}); a drone's
  * contact, which all sensors share, matches no other.
@@ -63,7 +63,7 @@ public class PerfectAssociation {
      * Associates the observations made at one time.
      *
      * @param looked names of the sensors that looked, whether or not they observed anything
-     * @param time of these looks, seconds since the start of the run
+     * @param time time of these looks, seconds since the start of the run
      * @return each sensor's look at each contact, in the order of the observations; then those at false contacts
      *     without a measurement in this look
      */

@@ -3,21 +3,21 @@ package org.dronewatch.drone.silhouette;
 import java.util.Arrays;
 
 /**
- * What a level drone certainly covers, and what it certainly does not, when it is seen from any of a range of
- * directions: a grid of square texels around its origin, in the plane across the line of sight. The grid's first
- * texel is at the left and at the bottom. Immutable.
+ * The area that a level drone certainly covers, and the area that it certainly does not, seen from any of a range of
+ * directions: a grid of square texels around its origin, in the plane perpendicular to the line of sight. The grid's
+ * first texel is at the left and at the bottom. Immutable.
  */
 public final class SilhouetteMask {
-    /** Texels along a side. */
+    /** The number of texels along a side. */
     public static final int TEXELS = 128;
 
     /** A texel no point of which is covered. */
     public static final byte OUTSIDE = 0;
 
-    /** A texel that may be covered or not, or in part; seen from the middle of the directions, its centre is not. */
+    /** A texel that may be covered or not, or in part; seen from the middle of the range, its centre is not. */
     public static final byte UNLIKELY = 1;
 
-    /** A texel that may be covered or not, or in part; seen from the middle of the directions, its centre is. */
+    /** A texel that may be covered or not, or in part; seen from the middle of the range, its centre is. */
     public static final byte LIKELY = 2;
 
     /** A texel all of whose points are covered. */

@@ -8,8 +8,8 @@ import org.dronewatch.geometry.TriangleMesh;
 /**
  * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds} that hold for every
  * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made only once it
- * has been requested in place of several pictures, or of a large one: a few small pictures cost less than a mask.
- * Thread-safe.
+ * would have replaced the rendering of several pictures, or of one large picture: a few small pictures cost less than a
+ * mask. Thread-safe.
  */
 public final class SilhouetteTable {
     private static final int AZIMUTHS = 120;
@@ -43,7 +43,7 @@ public final class SilhouetteTable {
         return raster.halfWidth();
     }
 
-    /** The least distance of the camera from the drone's origin for which the masks hold, m. */
+    /** The minimum distance of the camera from the drone's origin for which the masks hold, m. */
     public double minRange() {
         return raster.minRange();
     }
@@ -51,10 +51,12 @@ public final class SilhouetteTable {
     /**
      * The mask for a direction.
      *
-     * @param azimuth of the line of sight, from the camera to the drone, relative to the drone's nose, clockwise, rad
-     * @param elevation of the line of sight above the horizon, -pi/2 to pi/2, rad
+     * @param azimuth azimuth of the line of sight, from the camera to the drone, relative to the drone's nose,
+     *     clockwise, rad
+     * @param elevation elevation of the line of sight above the horizon, -pi/2 to pi/2, rad
      * @param pixels number of pixels of the picture that the mask may save
-     * @return null until masks for its directions have been requested in place of several pictures, or of a large one
+     * @return null until a mask for this direction would have replaced the rendering of several pictures, or of one
+     *     large picture
      */
     public SilhouetteMask mask(double azimuth, double elevation, int pixels) {
         int column = Math.floorMod((int) Math.floor(azimuth / AZIMUTH_STEP), AZIMUTHS);

@@ -25,7 +25,7 @@ public interface FlightFromFile extends FlightPathSettings {
     FlightSource read(Path path, String shown);
 
     /**
-     * This is not possible: without a scene, the flight has no geographic position.
+     * Not supported: without a scene, the flight has no geographic position.
      *
      * @throws IllegalArgumentException always
      */

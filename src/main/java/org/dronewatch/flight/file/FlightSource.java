@@ -8,7 +8,7 @@ import org.dronewatch.world.Places;
 /** A flight file that has been read. Immutable. */
 public interface FlightSource {
 
-    /** Its name and the hash of its bytes, as read. */
+    /** The file's name and the hash of its bytes, as read. */
     FileHash hash();
 
     /** A one-line description of its content. */
@@ -18,7 +18,7 @@ public interface FlightSource {
      * The flight over a site.
      *
      * @param places places of the site; queried only before this method returns
-     * @param drone how the drone flies where the file does not state it
+     * @param drone the speeds and the acceleration of the drone where the file states none
      * @param warnings receives a line for each item that is not flown as the file states
      * @throws IllegalArgumentException when a place in the file has no position on this site; the message names it
      */

@@ -1,2 +1,2 @@
-/** Flights from files of other programs: what missions and tracks have in common. */
+/** Flights from files of other programs: the common parts of missions and tracks. */
 package org.dronewatch.flight.file;

@@ -92,8 +92,8 @@ public record AcousticSettings(
 
     /**
      * A microphone that receives rays within 0.5 m, takes ten looks per second, and detects sound 15 dB above the
-     * background. Sound propagates by the thesis's level model, without spreading loss; for physical levels, choose the
-     * energy model by {@link #withPropagation}.
+     * background. Sound propagates by the {@linkplain LevelModel level model}, without spreading loss; for physical
+     * levels, choose the energy model by {@link #withPropagation}.
      */
     @Defaults("position")
     public static AcousticSettings at(Position position) {
@@ -175,7 +175,7 @@ public record AcousticSettings(
         return findsDirections() ? 2 : 0;
     }
 
-    /** All directions above the horizon are equally likely. */
+    /** {@inheritDoc} All directions above the horizon are equally likely. */
     @Override
     public Optional<Sighting> falseSighting(double u, double v, double w) {
         Direction direction = new Direction((2.0 * u - 1.0) * Math.PI, Math.asin(v));
@@ -184,7 +184,7 @@ public record AcousticSettings(
                 : Optional.empty();
     }
 
-    /** A sound that just reaches the threshold above the site's background. */
+    /** {@inheritDoc} It is that of a sound that just reaches the threshold above the site's background. */
     @Override
     public Reading falseReading(World world, double excess) {
         double least = detectionLevel(world.backgroundNoise().level());

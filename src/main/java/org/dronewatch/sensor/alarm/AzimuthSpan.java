@@ -7,7 +7,7 @@ package org.dronewatch.sensor.alarm;
  * @param width above 0 and at most 2 pi, rad
  */
 public record AzimuthSpan(double centre, double width) {
-    /** All round. */
+    /** The full circle. */
     public static final AzimuthSpan ALL = new AzimuthSpan(0.0, 2.0 * Math.PI);
 
     /** Checks the width. */

@@ -4,16 +4,16 @@ package org.dronewatch.sensor.alarm;
  * The rate of a sensor's false alarms. They begin independently of each other, with the same probability in every look
  * and in every cell: their number in a look is Poisson-distributed.
  *
- * @param perLook expected number that begin in one look, 0 or more; at most {@link #MOST_PER_LOOK}, including lasting
- *     ones, may be reported in each look
+ * @param perLook expected number of false alarms that begin in one look, 0 or more; at most {@link #MOST_PER_LOOK},
+ *     including lasting ones, may be reported in each look
  * @param cells number of cells of its field of view that the sensor, or its tracker, distinguishes, 1 or more: only
  *     false alarms in the same cell confirm each other
- * @param looks number of consecutive looks for which a false alarm lasts, 1 or more: 1 for noise, more for a bird
- *     or an aircraft
+ * @param looks number of consecutive looks for which a false alarm lasts, 1 or more: 1 for noise, more for a bird or an
+ *     aircraft
  * @param rate looks per second, above 0, Hz
  */
 public record FalseAlarmRate(double perLook, long cells, int looks, double rate) {
-    /** The maximum number in a look that can be distinguished and simulated. */
+    /** The maximum number of false alarms in a look that can be distinguished and simulated. */
     public static final double MOST_PER_LOOK = 1000.0;
 
     private static final double HOUR = 3600.0;
@@ -21,7 +21,7 @@ public record FalseAlarmRate(double perLook, long cells, int looks, double rate)
     /**
      * Checks the limits.
      *
-     * @throws IllegalArgumentException when there are too many of them, or no cells or no looks
+     * @throws IllegalArgumentException when there are too many false alarms, no cells or no looks
      */
     public FalseAlarmRate {
         if (!(perLook >= 0.0 && perLook * looks <= MOST_PER_LOOK)) {
@@ -37,18 +37,19 @@ public record FalseAlarmRate(double perLook, long cells, int looks, double rate)
         }
     }
 
-    /** Expected number that begin in an hour. */
+    /** Expected number of false alarms that begin in an hour. */
     public double perHour() {
         return perLook * rate * HOUR;
     }
 
-    /** Expected number that begin in one cell in one look. */
+    /** Expected number of false alarms that begin in one cell in one look. */
     public double perPlace() {
         return perLook / cells;
     }
 
     /**
-     * The probability that at least one begins in a given cell in a given look, {@code 1 - exp(-perLook / cells)}.
+     * The probability that at least one false alarm begins in a given cell in a given look,
+     * {@code 1 - exp(-perLook / cells)}.
      */
     public double probability() {
         return -Math.expm1(-perPlace());

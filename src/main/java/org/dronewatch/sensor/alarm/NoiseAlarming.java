@@ -1,8 +1,9 @@
 package org.dronewatch.sensor.alarm;
 
 /**
- * Settings of a sensor whose false alarms are noise above its threshold: their rate follows from the probability of one
- * in each cell of its field of view. This is a capability, queried by {@link org.dronewatch.sensor.SensorSettings#as}.
+ * Settings of a sensor whose false alarms are noise above its threshold: their rate follows from the probability of a
+ * false alarm in each cell of its field of view. This is a capability, queried by
+ * {@link org.dronewatch.sensor.SensorSettings#as}.
  */
 public interface NoiseAlarming extends FalseAlarming {
     /**
@@ -13,6 +14,6 @@ public interface NoiseAlarming extends FalseAlarming {
      */
     double falseAlarmProbability(double perHour);
 
-    /** The setting of the sensor that states this probability, such as {@code falseAlarms.probability}. */
+    /** The setting of the sensor that states its false-alarm probability, such as {@code falseAlarms.probability}. */
     String falseAlarmSetting();
 }

@@ -67,7 +67,7 @@ public record WeatherRate(
                 && illuminance >= other.illuminance;
     }
 
-    /** Whether it applies in given weather. */
+    /** Whether this rate applies in given weather. */
     public boolean appliesIn(Weather weather) {
         return weather.rain() >= rain
                 && weather.wind() >= wind

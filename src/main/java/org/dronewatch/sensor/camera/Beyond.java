@@ -7,8 +7,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * What a camera sees beyond the drones: the sun, and what is behind a drone. Keeps scratch memory: one thread at a
- * time.
+ * What a camera sees beyond the drones: the sun, and what is behind a drone. Keeps scratch memory: for use by one
+ * thread at a time.
  */
 final class Beyond {
     private final World world;

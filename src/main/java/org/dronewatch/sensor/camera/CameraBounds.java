@@ -20,8 +20,8 @@ import org.dronewatch.world.World;
 
 /**
  * Bounds on the assessments of a camera whose signal grows with the number of pixels, from bounds on that number. The
- * cause follows the rules for an exact look ({@link Cover#explain}); a ray is traced for it only where it matters. One
- * thread at a time.
+ * cause follows the rules for an exact look ({@link Cover#explain}); a ray is traced for it only where it matters. For
+ * use by one thread at a time.
  */
 final class CameraBounds {
     private static final Position AT_REST = new Position(0, 0, 0);

@@ -33,7 +33,7 @@ import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.world.World;
 
-/** A camera for visible light. Keeps its last image, and scratch memory for drones: one thread at a time. */
+/** A camera for visible light. Keeps its last image, and scratch memory for drones: for use by one thread at a time. */
 public final class CameraSensor implements BoundingSensor {
     /** If there are fewer pixels than this, all are counted at once. */
     private static final int FEW_PIXELS = 256;
@@ -64,7 +64,7 @@ public final class CameraSensor implements BoundingSensor {
         return new CameraSensor(settings, ownAim.sibling());
     }
 
-    /** Counts the pixels of each drone that are not hidden by the world or by other drones. */
+    /** {@inheritDoc} Counts the pixels of each drone that are not hidden by the world or by other drones. */
     @Override
     public List<Observation> observe(World site, List<Drone> drones, Look look) {
         turn(site, look.pointing());
@@ -111,7 +111,7 @@ public final class CameraSensor implements BoundingSensor {
         return assess(drone, pixels -> false);
     }
 
-    /** A drone near the camera covers many thousands of pixels, of which a few suffice for a decision. */
+    /** {@inheritDoc} A drone near the camera covers many thousands of pixels, of which a few suffice for a decision. */
     @Override
     public Assessment assessCoarsely(
             World site,
@@ -170,7 +170,8 @@ public final class CameraSensor implements BoundingSensor {
     }
 
     /**
-     * A drone that is outside the image whatever its heading has no pixels; the cause depends on its position alone.
+     * {@inheritDoc} A drone that is outside the image whatever its heading has no pixels; the cause depends on its
+     * position alone.
      */
     @Override
     public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> where) {
@@ -179,7 +180,7 @@ public final class CameraSensor implements BoundingSensor {
         return picture.camera().isOutside(at.x(), at.y(), at.z(), drone.radius());
     }
 
-    /** The number of pixels does not depend on the speed. */
+    /** {@inheritDoc} The number of pixels does not depend on the speed. */
     @Override
     public boolean isSameAtAllSpeeds() {
         return settings.detection().countsPixelsOnly();

@@ -126,7 +126,7 @@ public record CameraSettings(
         return SettingsForm.with(this, "detection", function);
     }
 
-    /** Only a camera that counts pixels is {@link Thresholded}. */
+    /** {@inheritDoc} Only a camera that counts pixels is {@link Thresholded}. */
     @Override
     public <C> Optional<C> as(Class<C> capability) {
         boolean isMissing = capability == Thresholded.class && !(detection instanceof PixelThreshold);
@@ -144,7 +144,7 @@ public record CameraSettings(
         return withDetection(new PixelThreshold(pixels));
     }
 
-    /** A reading exactly at the threshold. */
+    /** {@inheritDoc} It is exactly at the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(detection.threshold(), detection.threshold(), detection.unit());

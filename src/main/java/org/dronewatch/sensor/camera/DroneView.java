@@ -10,7 +10,7 @@ import org.dronewatch.world.Light;
  * @param range distance to its origin, m
  * @param focalLength focal length in pixels: the width in pixels of an object 1 m wide at a distance of 1 m on the axis
  * @param crossing its speed across the image, pixels per second
- * @param light by which it is seen
+ * @param light light by which the drone is seen
  * @param sunAngle angle between the lines of sight to the drone and to the sun, rad; infinite when the sun is not
  *     visible
  * @param lens lens of the camera
@@ -27,7 +27,7 @@ public record DroneView(
         Lens lens,
         double background) {
 
-    /** The same view with another number of pixels that show the drone. */
+    /** This view with another number of pixels that show the drone. */
     DroneView withPixels(int others) {
         return new DroneView(others, range, focalLength, crossing, light, sunAngle, lens, background);
     }

@@ -34,13 +34,13 @@ public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) d
         return pixels;
     }
 
-    /** Empty: a positioner counts pixels, too, with its own threshold. */
+    /** {@inheritDoc} Empty here: a positioner counts pixels, too, with its own threshold. */
     @Override
     public OptionalDouble followingValue(DroneView view) {
         return OptionalDouble.empty();
     }
 
-    /** A count of pixels takes no account of weather and light. */
+    /** {@inheritDoc} A count of pixels takes no account of weather and light. */
     @Override
     public Map<Condition, String> ignoredConditions() {
         String other = "'detection: {kind: target-task}' takes light and weather into account";

@@ -166,8 +166,8 @@ public record TargetTask(
     }
 
     /**
-     * The probability of detection: a detected drone can be followed, even if it cannot be recognised or identified
-     * yet.
+     * {@inheritDoc} It is the probability of detection: a detected drone can be followed, even if it cannot be
+     * recognised or identified yet.
      */
     @Override
     public OptionalDouble followingValue(DroneView view) {

@@ -6,8 +6,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Bounds on the {@link VisibleArea} of a drone at a position, at little cost; they hold whatever its orientation. One
- * thread at a time.
+ * Bounds on the {@link VisibleArea} of a drone at a position, at little cost; they hold whatever its orientation. For
+ * use by one thread at a time.
  */
 public final class AreaBounds {
     /** The least cosine of the angle between the camera's axis and the drone for which an upper bound is stated. */

@@ -27,7 +27,7 @@ public final class CameraAxes {
     /**
      * The axes of a camera.
      *
-     * @param direction line of sight of the camera, of any length but 0
+     * @param direction line of sight of the camera, of any non-zero length
      * @param roll how far its right side is turned down from where the horizon is level, rad
      */
     CameraAxes(Position direction, double roll) {
@@ -76,7 +76,7 @@ public final class CameraAxes {
     /**
      * The roll at which a vector points to the top of a camera's image.
      *
-     * @param direction line of sight of the camera, of any length but 0
+     * @param direction line of sight of the camera, of any non-zero length
      * @param up the vector, not along that direction
      * @return rad, -pi to pi
      * @throws IllegalArgumentException when the two vectors are parallel, or one of them is 0

@@ -14,7 +14,7 @@ import org.joml.Vector4d;
  * pixel (0, 0) is the top left one; a pixel's ray goes through its centre. Immutable.
  */
 public final class CameraObject {
-    /** Least depth that is projected, m: so small that no ray meets a drone at a smaller depth. */
+    /** Minimum depth that is projected, m: so small that no ray meets a drone at a smaller depth. */
     public static final double NEAR = 1e-6;
 
     private final Position position;
@@ -52,10 +52,10 @@ public final class CameraObject {
      * A camera. The horizon is level; north is at the top if the camera looks straight down.
      *
      * @param position its centre of projection, m
-     * @param direction line of sight of the camera, of any length but 0
+     * @param direction line of sight of the camera, of any non-zero length
      * @param width pixels in a row
      * @param height rows
-     * @param focalLength in pixels
+     * @param focalLength focal length in pixels
      */
     public CameraObject(Position position, Position direction, int width, int height, double focalLength) {
         this(position, direction, 0.0, width, height, focalLength, Projection.DEFAULT);
@@ -65,12 +65,12 @@ public final class CameraObject {
      * A camera.
      *
      * @param position its centre of projection, m
-     * @param direction line of sight of the camera, of any length but 0
+     * @param direction line of sight of the camera, of any non-zero length
      * @param roll rotation about that direction, its right side down, rad; at 0 the horizon is level, and north is at
      *     the top if the camera looks straight down
      * @param width pixels in a row
      * @param height rows
-     * @param focalLength in pixels
+     * @param focalLength focal length in pixels
      * @param lens position of its axis in the image, and its near and far planes
      */
     public CameraObject(

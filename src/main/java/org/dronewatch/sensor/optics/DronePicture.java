@@ -14,7 +14,7 @@ import org.dronewatch.world.World;
 
 /**
  * The pictures that a camera at rest takes of drones in a world. Caches the image of the last world, without its
- * drones, and keeps scratch memory for the drones: one thread at a time.
+ * drones, and keeps scratch memory for the drones: for use by one thread at a time.
  */
 public final class DronePicture {
     /** Above the rounding of distances in an image, which are of single precision. */
@@ -61,14 +61,14 @@ public final class DronePicture {
         return new DronePicture(camera, new SiteImages(camera, true), true);
     }
 
-    /** Pictures of the same camera for another thread, which share the image of the site. */
+    /** Pictures of the same camera for use by another thread, which share the image of the site. */
     public DronePicture sibling() {
         return new DronePicture(camera, images, isAtRest);
     }
 
     /**
      * The pictures of a camera in another temporary pose, for the same thread, which take over the scratch memory of
-     * these; only the others are used from then on.
+     * these; these must not be used any longer.
      */
     public DronePicture turned(CameraObject to) {
         DronePicture turned = new DronePicture(to);
@@ -79,7 +79,7 @@ public final class DronePicture {
         return turned;
     }
 
-    /** Pose and projection. */
+    /** The pose and projection of the camera. */
     public CameraObject camera() {
         return camera;
     }
@@ -153,7 +153,7 @@ public final class DronePicture {
     /**
      * Traces pixels of the drone until its bounds suffice or are exact; the heading is that of the last count.
      *
-     * @param enough the same as in that count
+     * @param enough the predicate passed to that count
      * @param isSufficient whether the bounds suffice as they are now
      * @return false where it is faster to draw a picture of the drone
      */

@@ -42,28 +42,28 @@ public final class DronePixels {
         return top;
     }
 
-    /** The number of columns that may show it; 0 when it is outside the image. */
+    /** The number of columns that may show the drone; 0 when it is outside the image. */
     public int columns() {
         return columns;
     }
 
-    /** The number of rows that may show it. */
+    /** The number of rows that may show the drone. */
     public int rows() {
         return rows;
     }
 
-    /** Whether a pixel of the image shows it. */
+    /** Whether a pixel of the image shows the drone. */
     public boolean isHit(int column, int row) {
         return distance(column, row) < Float.POSITIVE_INFINITY;
     }
 
-    /** Its distance along a pixel's ray, m; infinity where the pixel does not show it. */
+    /** The distance to the drone along a pixel's ray, m; infinity where the pixel does not show it. */
     public float distance(int column, int row) {
         boolean inside = column >= left && row >= top && column < left + columns && row < top + rows;
         return inside ? distances[(row - top) * columns + column - left] : Float.POSITIVE_INFINITY;
     }
 
-    /** The number of pixels that show it. */
+    /** The number of pixels that show the drone. */
     public int count() {
         return count;
     }

@@ -14,7 +14,7 @@ import org.jogamp.vecmath.Matrix4d;
 /**
  * The drones in one frame over a static view: for each drone, only its significant pixels are traced, against its own
  * tree, with the ray moved into its model space. Directions are not normalised again there, so that distances can be
- * compared. Each pixel belongs to the nearest drone that is in front of the world. Used by one thread at a time.
+ * compared. Each pixel belongs to the nearest drone that is in front of the world. For use by one thread at a time.
  */
 final class DynamicView {
     /**

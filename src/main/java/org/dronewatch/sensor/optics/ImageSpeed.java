@@ -22,7 +22,8 @@ public final class ImageSpeed {
     }
 
     /**
-     * The same for a drone at a position, m, with a velocity, m/s.
+     * The angular rate of the line of sight to a drone at a position, m, with a velocity, m/s; result and other
+     * parameters as for {@link #turning(Position, Drone, Optional)}.
      */
     public static double turning(Position camera, Position drone, Position velocity, Optional<Pointing> pointing) {
         double range = drone.distance(camera);

@@ -4,7 +4,7 @@ package org.dronewatch.sensor.optics;
  * The modulation transfer of a lens and of the air, and the finest detail that a camera resolves with it.
  *
  * @param lens lens of the camera
- * @param air between it and the target
+ * @param air turbulence of the air between the lens and the target
  */
 public record ImageTransfer(Lens lens, Turbulence air) {
     /** Halvings of the interval: what is left of it is the rounding of a double. */

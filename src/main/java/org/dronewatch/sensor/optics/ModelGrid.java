@@ -6,7 +6,7 @@ import org.jogamp.vecmath.Matrix4d;
 
 /**
  * The rays of a camera's pixels in the space of a model. Lengths along them remain those of the world. Reused for
- * several models; one per thread.
+ * several models; for use by one thread.
  */
 public final class ModelGrid {
     private final double[][] grid;

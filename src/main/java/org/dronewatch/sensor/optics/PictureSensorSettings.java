@@ -158,7 +158,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return 2;
     }
 
-    /** All pixels are equally likely, and a false alarm covers one pixel. */
+    /** {@inheritDoc} All pixels are equally likely, and a false alarm covers one pixel. */
     @Override
     default Optional<Sighting> falseSighting(double u, double v, double w) {
         int column = (int) Math.min(width() - 1.0, u * width());

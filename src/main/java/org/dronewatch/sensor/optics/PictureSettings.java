@@ -10,22 +10,22 @@ import org.dronewatch.sensor.Imaging;
 /** The geometry of a camera of any kind: its position, its aim and its image. */
 public interface PictureSettings extends Aimed, Imaging {
 
-    /** Its centre of projection, m. */
+    /** The camera's centre of projection, m. */
     Position position();
 
-    /** The aim of its axis. */
+    /** The aim of the camera's axis. */
     @Override
     Aim aim();
 
     /**
-     * Its rotation about its axis, right side down, so that the image rotates counterclockwise, rad. At 0 the horizon
-     * is level.
+     * The camera's rotation about its axis, right side down, so that the image rotates anticlockwise, rad. At 0 the
+     * horizon is level.
      */
     default double roll() {
         return 0.0;
     }
 
-    /** The position of its axis in the image, and its near and far planes. */
+    /** The position of the camera's axis in the image, and its near and far planes. */
     default Projection projection() {
         return Projection.DEFAULT;
     }
@@ -53,22 +53,22 @@ public interface PictureSettings extends Aimed, Imaging {
         return 0.5 * side / Math.tan(0.5 * fov());
     }
 
-    /** Diameter of the entrance pupil of its lens, m; empty for a lens without diffraction. */
+    /** Diameter of the entrance pupil of the lens, m; empty for a lens without diffraction. */
     default Optional<Double> aperture() {
         return Optional.empty();
     }
 
-    /** Wavelength of the light or thermal radiation that it images, m. */
+    /** Wavelength of the light or thermal radiation that the camera images, m. */
     default double wavelength() {
         return Lens.GREEN;
     }
 
-    /** Its lens, with diffraction. */
+    /** The camera's lens, with diffraction. */
     default Lens lens() {
         return new Lens(aperture().map(OptionalDouble::of).orElse(OptionalDouble.empty()), wavelength());
     }
 
-    /** Whether its pictures are of visible light, so that they can be shown in colour. */
+    /** Whether the camera's pictures are of visible light, so that they can be shown in colour. */
     default boolean seesColour() {
         return true;
     }

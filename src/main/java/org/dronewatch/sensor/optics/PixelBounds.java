@@ -10,8 +10,8 @@ import org.dronewatch.geometry.Position;
 /**
  * Bounds on the number of pixels that show a level drone at a position; they hold for every heading. The rays of the
  * pixels around the drone are looked up in masks of its silhouette, and in the image of the site. Only rays for which
- * neither gives a certain answer are traced to the drone, and only on request. Reused for many positions. One per
- * thread.
+ * neither gives a certain answer are traced to the drone, and only on request. Reused for many positions. For use by
+ * one thread.
  */
 public final class PixelBounds {
     /** Rays that are traced before bounds that did not suffice are checked again. */
@@ -73,7 +73,10 @@ public final class PixelBounds {
         return pixels.mostAround();
     }
 
-    /** The same bound, whatever the site hides, and however many pixels have been examined. */
+    /**
+     * An upper bound on the number of pixels that show the drone, whatever its heading, whatever the site hides, and
+     * however many pixels have been examined.
+     */
     public int mostInRectangle() {
         return pixels.mostInRectangle();
     }
@@ -89,7 +92,7 @@ public final class PixelBounds {
     }
 
     /**
-     * Counts the pixels of the drone on a heading.
+     * Counts the pixels of the drone at a heading.
      *
      * @param heading direction of its nose, clockwise from north, rad
      * @param enough whether a number of pixels is sufficient; if it is, every larger number must be as well. Counting

@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.optics;
 
-/** A rectangle of pixels, borders included; set anew in each frame. Used by one thread at a time. */
+/** A rectangle of pixels, borders included; set anew in each frame. For use by one thread at a time. */
 final class PixelRectangle {
     private int left;
     private int top;

@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 /**
  * The pixels around a drone at a place, or a sample of them: whose rays meet its bounding sphere, where they pass it,
  * and whether the site hides it from them. Reused for many places; allocates only if it needs more memory than before.
- * One per thread.
+ * For use by one thread.
  */
 final class PixelSample {
     static final byte HIDDEN = 1;
@@ -21,7 +21,7 @@ final class PixelSample {
     /** If there are more pixels around a drone than this, only those of every n-th row and column are examined. */
     private static final int MOST_PIXELS = 1 << 12;
 
-    /** The same where the sample has not been sufficient. */
+    /** As {@link #MOST_PIXELS}, where the sample has not been sufficient. */
     private static final int MOST_PIXELS_ON_REQUEST = 1 << 20;
 
     /**

@@ -26,7 +26,7 @@ public record Projection(
     /** A far plane at this distance or beyond means no limit, m. */
     private static final double UNLIMITED = 1e6;
 
-    /** The axis in the middle of the image, and all distances visible. */
+    /** The axis at the centre of the image, and all distances visible. */
     @Defaults
     public static final Projection DEFAULT = new Projection(0.0, 0.0, 0.0, UNLIMITED);
 
@@ -42,8 +42,8 @@ public record Projection(
     /**
      * The projection of a shifted lens, with all distances visible.
      *
-     * @param right as a fraction of the width of the image
-     * @param up as a fraction of its height
+     * @param right shift to the right, as a fraction of the width of the image
+     * @param up shift upwards, as a fraction of its height
      */
     public static Projection shifted(double right, double up) {
         return new Projection(right, up, 0.0, UNLIMITED);

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.optics;
 
 /**
  * Where the rays of a camera's pixels pass a drone: in the plane through its origin across the line of sight, to the
- * side, which is level, and upwards. One per thread.
+ * side, which is level, and upwards. For use by one thread.
  */
 final class SightFrame {
     private final double[][] grid;

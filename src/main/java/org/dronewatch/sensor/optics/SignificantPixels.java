@@ -6,8 +6,8 @@ import org.jogamp.vecmath.Matrix4d;
 
 /**
  * The pixels that can show a drone: those inside the projection of its bounding box. Corners behind the camera would
- * flip through the projection's divide, so the box's edges are cut at the near plane first. Allocates nothing. One per
- * thread.
+ * flip through the projection's divide, so the box's edges are cut at the near plane first. Allocates nothing. For use
+ * by one thread.
  */
 final class SignificantPixels {
     /** Rounding of the projection, in pixels: a rectangle a little too large costs nothing. */

@@ -2,7 +2,9 @@ package org.dronewatch.sensor.optics;
 
 import java.util.Arrays;
 
-/** The pixels of one drone in a frame, within its rectangle. Kept from frame to frame. Used by one thread at a time. */
+/**
+ * The pixels of one drone in a frame, within its rectangle. Kept from frame to frame. For use by one thread at a time.
+ */
 final class Silhouette {
     private final PixelRectangle rectangle = new PixelRectangle();
 

@@ -46,7 +46,7 @@ public final class SilhouetteArea {
     /**
      * Bounds the area of a drone.
      *
-     * @param drone the drone, in that state
+     * @param drone the drone, in the given state
      * @param state state of flight of the drone, which is level
      * @return false where no bounds are known: close to the camera, far above or below it, not entirely between the
      *     near and far planes, and until a mask is worthwhile
@@ -98,7 +98,7 @@ public final class SilhouetteArea {
      * Narrows the bounds until they are decisive, for a drone that nothing hides: traces rays that the mask leaves in
      * doubt. In the end, the bounds are equal but for rounding.
      *
-     * @param drone the one that was bounded last
+     * @param drone the drone that was bounded last
      * @param isLarge whether the decision is expected to be the one for a large area: rays that raise the lower bound
      *     are then traced first, otherwise those that lower the upper one
      * @param isDecisive whether the bounds as they are now suffice; if they do, narrower ones must as well

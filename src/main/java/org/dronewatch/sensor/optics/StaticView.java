@@ -7,7 +7,7 @@ import org.dronewatch.world.World;
 
 /**
  * What a camera sees of the world without drones: a distance for each pixel, traced tile by tile when one of the tile's
- * pixels is first requested, and kept. Used by one thread at a time.
+ * pixels is first requested, and kept. For use by one thread at a time.
  */
 final class StaticView implements Background {
     /** Smaller than the tiles that a traversal allows: mostly only the few pixels behind a drone are requested. */

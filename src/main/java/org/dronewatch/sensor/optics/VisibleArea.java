@@ -13,8 +13,8 @@ import org.jogamp.vecmath.Matrix4d;
 /**
  * The area of a drone in a camera's image, in pixels and fractions of pixels: for drones smaller than a pixel, and for
  * thermal images, in which a pixel integrates over its area. The drone is sampled by rays whose spacing adapts to its
- * size, so that the area is accurate to a few percent at any distance. Occlusion by other drones is left out. One
- * thread at a time.
+ * size, so that the area is accurate to a few percent at any distance. Occlusion by other drones is left out. For use
+ * by one thread at a time.
  */
 public final class VisibleArea {
     /** From one ray to the next that is traced: after a few, they are spread over the whole square. */
@@ -83,8 +83,8 @@ public final class VisibleArea {
     /**
      * As {@link #of(Drone, DoublePredicate)}, but for a drone that nothing hides.
      *
-     * @param silhouette decides many of the rays; its bounds must be {@linkplain SilhouetteArea#isOf those} of the
-     *     drone
+     * @param silhouette decides the outcome of many rays; its bounds must be {@linkplain SilhouetteArea#isOf those} of
+     *     the drone
      */
     public double ofClear(Drone drone, SilhouetteArea silhouette, DoublePredicate enough) {
         return of(drone, true, enough, silhouette);
@@ -184,7 +184,7 @@ public final class VisibleArea {
         return isSeen;
     }
 
-    /** The same for a ray about which a mask states something: only what is in doubt is traced. */
+    /** Whether a ray shows the drone, where a mask states something about that ray: only what is in doubt is traced. */
     private boolean seen(RayTracer model, int ray, boolean open, byte kind) {
         if (!open && isObstructed && bundle.isKnownHidden(ray)) {
             return false;

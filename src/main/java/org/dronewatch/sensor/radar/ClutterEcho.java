@@ -5,7 +5,7 @@ import org.dronewatch.world.World;
 
 /**
  * Radar cross-section of what competes with a drone in its resolution cell, and passes the radar's filters: of the
- * ground that is in sight in it, and of the rain that fills it. One per thread.
+ * ground that is in sight in it, and of the rain that fills it. For use by one thread.
  */
 final class ClutterEcho {
     /** Number of bearings, evenly spaced over the beamwidth, at which the ground is sampled. */

@@ -42,14 +42,14 @@ public sealed interface LinkBudget {
 
     /**
      * The lower of the gains of its antennas, dBi; empty if it is not stated. The beams of the antenna with the higher
-     * gain are narrower, and several of them fit into one of the other, so the lower gain determines the number of
+     * gain are narrower, and several of them fit into one of the other, so the lower gain determines the number of beam
      * positions.
      */
     OptionalDouble lowerGain();
 
     /**
      * The coherent integration time, s: of one pulse, or of the coherent burst that counts as one; empty if it is not
-     * stated. A beam dwells on its position for as many of these times as a look integrates pulses.
+     * stated. A beam dwells on each position for this time multiplied by the number of pulses that a look integrates.
      */
     OptionalDouble dwell();
 

@@ -8,7 +8,7 @@ import org.dronewatch.drone.RadarSignature.Fluctuation;
 /**
  * How reliably an echo is distinguished from noise if the target's cross-section is log-normally distributed from look
  * to look: {@code 10 lg(x) = spread z - (ln 10 / 20) spread^2} with a standard normal z, so that the mean of x is one
- * (3GPP TR 38.901, section 7.9.2.1). The probability is the mean of a steady target's over z. One per thread.
+ * (3GPP TR 38.901, section 7.9.2.1). The probability is the mean of a steady target's over z. For use by one thread.
  *
  * <p>That mean is a sum at equal steps of z, which converges exponentially for so smooth a curve (L. N. Trefethen, J.
  * A. C. Weideman, SIAM Review 56, 2014). In units of the ratio, the steps are below the width of a steady target's

@@ -11,8 +11,8 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
- * The strength of the echoes that a radar receives from drones in a world, and of what competes with them. One per
- * thread.
+ * The strength of the echoes that a radar receives from drones in a world, and of what competes with them. For use by
+ * one thread.
  */
 final class RadarEcho {
     /**
@@ -33,7 +33,7 @@ final class RadarEcho {
             return unfiltered() + passed;
         }
 
-        /** The same if the notch let everything pass, dB. */
+        /** Ratio of the signal to the sum of noise and clutter if the notch let everything pass, dB. */
         double unfiltered() {
             return signal - 10.0 * Math.log10(1.0 + Math.pow(10.0, 0.1 * clutter));
         }

@@ -82,7 +82,7 @@ public final class RadarSensor implements AssessableSensor {
                         : cover.explain(drone, () -> visible.of(drone) == 0.0, () -> isDetectedInTheOpen(drone)));
     }
 
-    /** True outside the limits of position, whatever the radial speed. */
+    /** {@inheritDoc} True outside the field of view or the limits of range, whatever the radial speed. */
     @Override
     public boolean isSameAtAllHeadings(World site, Drone drone, Optional<Pointing> pointing) {
         return !field.contains(drone.origin().minus(settings.position()));

@@ -186,9 +186,9 @@ public record RadarSettings(
     /**
      * A radar that scans through 360 degrees once per second, over 20 degrees of elevation with a horizontal axis, at
      * 10 GHz with horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, with a fixed
-     * threshold of 15 dB; its position errors are 5 m and one degree. Whether a look detects does not depend on chance
-     * unless {@link #withDetection} says so. For a {@link LinkBudget.DataSheet}, choose {@link RadarDetection.Chance},
-     * or the threshold that the data sheet implies.
+     * threshold of 15 dB; its position errors are 5 m and one degree. Whether a look detects a drone does not depend on
+     * chance, unless {@link #withDetection} sets a probabilistic detection function. For a
+     * {@link LinkBudget.DataSheet}, choose {@link RadarDetection.Chance}, or the threshold that the data sheet implies.
      */
     @Defaults({"position", "budget"})
     public static RadarSettings at(Position position, LinkBudget budget) {
@@ -296,7 +296,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "clutter", Optional.of(other));
     }
 
-    /** A radar that rejects no radial speed, however low, is not blind to crossing drones. */
+    /** {@inheritDoc} A radar that rejects no radial speed, however low, is not blind to crossing drones. */
     @Override
     public <C> Optional<C> as(Class<C> capability) {
         boolean rejectsSlow = notch.isPresent() || minSpeed > 0.0;
@@ -353,7 +353,7 @@ public record RadarSettings(
         return Optional.of(new AzimuthSpan(outline().azimuth(), azimuthWidth));
     }
 
-    /** Its field of view. */
+    /** The field of view of the radar. */
     @Override
     public Outline.Sector outline() {
         Position axis = aim.from(position);

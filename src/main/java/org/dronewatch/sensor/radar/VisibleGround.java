@@ -11,7 +11,7 @@ import org.dronewatch.world.World;
  * that lies within the nearer range up to that within the farther one. What lies in the shadow of something nearer is
  * thus left out, slopes and walls count to the extent that they face the radar, and the only assumption about the mesh
  * is that everything below a skyline is blocked: no radar looks through under a bridge. Allocates nothing but what
- * {@link Ground} returns. One per thread.
+ * {@link Ground} returns. For use by one thread.
  */
 final class VisibleGround {
     /** Elevations are found to this fraction of what the cell fills if nothing hides it. */
@@ -84,7 +84,7 @@ final class VisibleGround {
     /**
      * The highest elevation at which something within a range blocks the view, rad.
      *
-     * @param guess where it is if nothing nearer is in the way; not a number if unknown
+     * @param guess where it is if nothing nearer is in the way; NaN if unknown
      * @param floor not below this elevation
      */
     private double skyline(double range, double guess, double floor) {

@@ -10,7 +10,7 @@ import org.dronewatch.world.World;
  * The path loss of a radio wave between two positions in a site: free-space loss, and diffraction at the edges of the
  * mesh. A wave is diffracted over an obstacle and around it on both sides, and the powers of the three paths are added
  * (ITU-R P.526-15, section 4.2, average loss of a screen of finite width). Edges near an unobstructed line also
- * attenuate the wave. One per thread.
+ * attenuate the wave. For use by one thread.
  */
 public final class RadioPath {
     private static final double LIGHT = 299_792_458.0;
@@ -150,7 +150,9 @@ public final class RadioPath {
         return DETOUR * from.distance(to) + 2.0 * tall;
     }
 
-    /** The same past either side. */
+    /**
+     * How far the paths past either side of an obstacle are searched for: the sum of the distances from both ends, m.
+     */
     private static double beside(Position from, Position to) {
         return DETOUR * from.distance(to) + LEAST_DETOUR;
     }

@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
  * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the
  * mesh share a point; those that are connected on one side of the line form one body there, so that the two sides of a
  * valley with an antenna in it are two. A plane through corners is taken for one an infinitesimal distance beside it.
- * One per thread.
+ * For use by one thread.
  */
 final class Section {
     /** Corners nearer to the plane than this, m, lie on it. */

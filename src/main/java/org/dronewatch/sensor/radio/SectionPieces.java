@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The straight pieces of a section, and which of them meet at a point. Allocates only when there are more of them than
- * ever before. One per thread.
+ * ever before. For use by one thread.
  */
 final class SectionPieces {
     private static final int FIRST = 64;

@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * The points of a section, each once: u along its line and t across it, m. Points are the same only if their
- * coordinates are equal to the last bit. Allocates only when there are more points than ever before. One per thread.
+ * coordinates are equal to the last bit. Allocates only when there are more points than ever before. For use by one
+ * thread.
  */
 final class SectionPoints {
     private static final int FIRST = 64;

@@ -6,7 +6,7 @@ import org.dronewatch.world.Ground;
 
 /**
  * The surface that reflects along a path: the straight line that fits best the heights of a site on both sides of a
- * place on it. One per thread.
+ * place on it. For use by one thread.
  */
 final class SurfaceLine {
     /** Heights in a Fresnel zone. */

@@ -11,7 +11,7 @@ import org.dronewatch.world.World;
  * reflection; the deviations from it count as roughness. An obstacle near one of the two legs of the reflected path, or
  * in it, weakens the reflection by its diffraction loss, so that the result has no step where an edge rises into a leg.
  * No reflection is counted where there is no ground. On a round earth, the heights above that line are those above a
- * sphere. One per thread.
+ * sphere. For use by one thread.
  */
 public final class TwoRays {
     private static final double LIGHT = 299_792_458.0;

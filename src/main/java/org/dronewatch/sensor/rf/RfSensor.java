@@ -26,7 +26,7 @@ import org.dronewatch.world.World;
 /**
  * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's;
  * minus infinity for a silent drone, for a carrier outside its frequency range, for an emission that it cannot
- * recognise as a drone's, and in looks that intercept no burst. Keeps scratch memory: one thread at a time.
+ * recognise as a drone's, and in looks that intercept no burst. Keeps scratch memory: for use by one thread at a time.
  */
 public final class RfSensor implements AssessableSensor {
     private static final String UNIT = "dB";
@@ -114,7 +114,7 @@ public final class RfSensor implements AssessableSensor {
                 .orElseGet(() -> Explanation.of(Cause.TOO_WEAK));
     }
 
-    /** Emissions are the same in all directions, and at every speed. */
+    /** {@inheritDoc} Emissions are the same in all directions, and at every speed. */
     @Override
     public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {
         return true;

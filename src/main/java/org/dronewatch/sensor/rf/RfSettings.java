@@ -55,7 +55,7 @@ import org.dronewatch.world.World;
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
  * @param beam pattern of its antenna; omit it for an omnidirectional one
- * @param aim where the axis of its beam points; of no effect without a beam
+ * @param aim where the axis of its beam points; it has no effect without a beam
  */
 public record RfSettings(
         Position position,
@@ -161,7 +161,7 @@ public record RfSettings(
         return SettingsForm.with(this, "position", other);
     }
 
-    /** These settings with another aim of the beam; of no effect without a beam. */
+    /** {@inheritDoc} True only with a beam. */
     @Override
     public boolean isDirectional() {
         return beam.isPresent();
@@ -182,7 +182,7 @@ public record RfSettings(
         return SettingsForm.with(this, Map.of("minFrequency", from, "maxFrequency", to));
     }
 
-    /** These settings with another antenna, dBi. */
+    /** These settings with another antenna gain, dBi. */
     public RfSettings withGain(double dbi) {
         return SettingsForm.with(this, "gain", dbi);
     }

@@ -106,7 +106,7 @@ public final class ThermalSensor implements BoundingSensor {
         return new ThermalSensor(settings);
     }
 
-    /** A few rays suffice to show that a large drone is detected. */
+    /** {@inheritDoc} A few rays suffice to show that a large drone is detected. */
     @Override
     public Assessment assessCoarsely(
             World world,
@@ -153,7 +153,10 @@ public final class ThermalSensor implements BoundingSensor {
         return bounds.most(drone.at(state)).marginDb();
     }
 
-    /** A drone that is outside the image whatever its heading has no area; the cause depends on its position alone. */
+    /**
+     * {@inheritDoc} A drone that is outside the image whatever its heading has no area; the cause depends on its
+     * position alone.
+     */
     @Override
     public boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> where) {
         turn(world, where);

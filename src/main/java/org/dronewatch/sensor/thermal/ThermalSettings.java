@@ -200,7 +200,7 @@ public record ThermalSettings(
         return pointTargets.map(rule -> rule.rate(pixels(), rate));
     }
 
-    /** A reading exactly at the threshold. */
+    /** {@inheritDoc} It is exactly at the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(probability, probability, Quantity.RATIO.unit());
@@ -218,7 +218,7 @@ public record ThermalSettings(
                 .withIgnoredConditions(Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own));
     }
 
-    /** False: its pictures show thermal radiation. */
+    /** {@inheritDoc} False: a thermal camera's pictures show thermal radiation. */
     @Override
     public boolean seesColour() {
         return false;

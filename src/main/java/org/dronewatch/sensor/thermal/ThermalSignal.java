@@ -31,7 +31,7 @@ record ThermalSignal(
         return of(drone, pixels, turning(drone));
     }
 
-    /** The same if it does not move in the image: it is never weaker for that. */
+    /** The signal of a drone that does not move in the image, which is never weaker for that. */
     Signal atRest(Drone drone, double pixels) {
         return of(drone, pixels, 0.0);
     }

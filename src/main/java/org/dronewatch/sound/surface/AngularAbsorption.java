@@ -16,7 +16,7 @@ public final class AngularAbsorption {
     /**
      * A table.
      *
-     * @param table in order of increasing angle
+     * @param table its rows, in order of increasing angle
      * @throws IllegalArgumentException when it is empty, or an angle is not greater than the one before it
      */
     public AngularAbsorption(List<AbsorptionAtAngle> table) {

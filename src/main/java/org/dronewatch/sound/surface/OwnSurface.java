@@ -21,8 +21,8 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  *
  * @param absorption fraction of the sound that is not reflected, 0 to 1, for all angles: eight octave bands, or one
  *     number
- * @param absorptionByAngle the same as a function of the angle from the normal: a table in order of increasing angle,
- *     linear between its angles, constant outside them
+ * @param absorptionByAngle fraction of the sound that is not reflected, as a function of the angle from the normal: a
+ *     table in order of increasing angle, linear between its angles, constant outside them
  * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1: eight octave bands,
  *     or one number
  * @param transmissionLoss loss of sound that passes through the wall, 0 to 200 dB: eight octave bands, or one number;

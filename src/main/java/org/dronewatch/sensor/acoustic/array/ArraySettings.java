@@ -12,12 +12,12 @@ import org.dronewatch.sound.Levels;
 /**
  * An array of microphones around the sensor's position.
  *
- * @param microphones their number, 2 to 4096; at least 3 for a ring and 4 for a sphere
+ * @param microphones number of microphones, 2 to 4096; at least 3 for a ring and 4 for a sphere
  * @param aperture length of a line, or diameter of a ring or a sphere, above 0 and at most 100 m
- * @param shape their arrangement
+ * @param shape arrangement of the microphones
  * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, due to errors in the
  *     positions, phases and gains of the microphones and to the air, 0 to pi/6 rad; one degree is assumed
- * @param axis direction of a horizontal line, clockwise from north, rad; of no effect for other shapes
+ * @param axis direction of a horizontal line, clockwise from north, rad; it has no effect for other shapes
  */
 public record ArraySettings(
         @In(value = Quantity.NUMBER, from = 2, to = 4096) int microphones,

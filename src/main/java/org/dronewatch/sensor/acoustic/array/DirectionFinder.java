@@ -13,12 +13,12 @@ import org.dronewatch.sound.OctaveBands;
  * The accuracy with which an array finds the direction of one sound in noise that is incoherent between microphones:
  * the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach
  * once the sound is detected. In a narrow band, the inverse of the variance of an angle is
- * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the wave
- * number k, N microphones, and the sum D of the squared distances of the microphones from their centre, projected onto
- * the vector along which the sound's direction changes with that angle. The contributions of all bands are added, each
- * with as many snapshots as its width times the duration of a look. Bands in which neighbouring microphones are more
- * than half a wavelength apart are left out, since their directions are ambiguous. The error of the array itself is
- * added in quadrature. Immutable.
+ * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the
+ * wavenumber k, N microphones, and the sum D of the squared distances of the microphones from their centre, projected
+ * onto the vector along which the sound's direction changes with that angle. The contributions of all bands are added,
+ * each with a number of snapshots equal to its width times the duration of a look. Bands in which neighbouring
+ * microphones are more than half a wavelength apart are left out, since their directions are ambiguous. The error of
+ * the array itself is added in quadrature. Immutable.
  */
 public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */
@@ -32,7 +32,7 @@ public final class DirectionFinder {
     private final double duration;
 
     /**
-     * A finder.
+     * A direction finder for an array.
      *
      * @param soundSpeed m/s, above 0
      * @param duration duration of a look, s, above 0

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 
 /**
- * Pieces of parabolas, which a plane cuts from curved surfaces, until they are divided into straight pieces. One per
- * thread.
+ * Pieces of parabolas, which a plane cuts from curved surfaces, until they are divided into straight pieces. For use by
+ * one thread.
  */
 final class BentPieces {
     private static final int MOST_PARTS = 1000;

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The outline of obstacles in a plane: straight pieces in coordinates u along a line and v across it. Pieces that end
- * at the same coordinates share a point. One per thread.
+ * at the same coordinates share a point. For use by one thread.
  */
 final class CutOutline {
     private double[] u = new double[256];

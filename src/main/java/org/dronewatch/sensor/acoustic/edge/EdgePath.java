@@ -15,7 +15,7 @@ import org.dronewatch.world.World;
  * that none of the planes intersects is not found.
  *
  * <p>Short detours are tried first, so that only obstacles near the straight line are examined if that suffices.
- * Exchanging the points gives the same path. One per thread.
+ * Exchanging the points gives the same path. For use by one thread.
  */
 public final class EdgePath {
     private static final int PLANES = 12;
@@ -124,7 +124,10 @@ public final class EdgePath {
         return pathDifference;
     }
 
-    /** The distance along the straight line to the middle of the edges, or of the line if there are none, m. */
+    /**
+     * The distance along the straight line to the point halfway between the first and the last edge, or to the middle
+     * of the line if there are no edges, m.
+     */
     public double halfWay() {
         int edges = shortest.count();
         double middle = edges == 0 ? 0.5 * straight : 0.5 * (shortest.along(0) + shortest.along(edges - 1));
@@ -132,15 +135,15 @@ public final class EdgePath {
     }
 
     /**
-     * The path difference between its arcs from edge to edge and the unobstructed arc from end to end, m. Sound on an
-     * arc travels faster at greater heights, so this is more than {@link #pathDifference}; CNOSSOS-EU uses it if sound
-     * bends down.
+     * The path difference between the arcs of the last path found, from edge to edge, and the unobstructed arc from end
+     * to end, m. Sound on an arc travels faster at greater heights, so this is more than {@link #pathDifference};
+     * CNOSSOS-EU uses it if sound bends down.
      */
     public double arcDifference() {
         return arcDifference;
     }
 
-    /** Its edges. */
+    /** The edges of the last path found. */
     public EdgeSequence edges() {
         return shortest;
     }

@@ -13,7 +13,7 @@ import org.dronewatch.world.World;
 
 /**
  * Finds the edges close to an unobstructed line of sight that would obstruct it if it passed on their other side. Only
- * bends in the outline of an obstacle are edges: seams in flat surfaces and valleys are not. One per thread.
+ * bends in the outline of an obstacle are edges: seams in flat surfaces and valleys are not. For use by one thread.
  */
 public final class NearEdges {
     /**

@@ -12,7 +12,7 @@ import org.dronewatch.kdtree.EllipsoidQuery;
  * an infinitesimal distance beside it, so that each triangle is cut in one piece or not at all.
  *
  * <p>Where sound travels in arcs, the outline is bent the other way, so that the arcs are straight lines in it; its
- * pieces are divided, as a flat ground becomes a bulge. One per thread.
+ * pieces are divided, as a flat ground becomes a bulge. For use by one thread.
  */
 final class PlaneCut {
     /** Corners nearer to the plane than this, m, lie on it: shorter pieces would have no meaningful direction. */

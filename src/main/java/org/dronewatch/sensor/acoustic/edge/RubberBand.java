@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * The shortest path between two points around the outline of obstacles in a plane: a taut string. It is straight from
- * corner to corner of the outline, and touches the outline at each without crossing it; found by A* over such legs. One
- * per thread.
+ * corner to corner of the outline, and touches the outline at each without crossing it; found by A* over such legs. For
+ * use by one thread.
  */
 final class RubberBand {
     /**

@@ -7,7 +7,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
  * How a ray from the start reached the surface that it hits: its legs between scatterings, straight, over walls or
- * through them. One per thread.
+ * through them. For use by one thread.
  */
 final class Arrival {
     private final SpecularLeg leg = new SpecularLeg();

@@ -19,7 +19,7 @@ import org.dronewatch.world.World;
  * source. A surface absorbs part of its energy; the rest goes on as one ray, reflected specularly, scattered by
  * Lambert's law or transmitted through the wall, drawn at random so that the mean is right. Where the ray is scattered,
  * it is connected to the target; where it passes the target after specular reflections, it is counted in a sphere
- * around the target, unless its path is computed exactly or was connected before. One per thread.
+ * around the target, unless its path is computed exactly or was connected before. For use by one thread.
  */
 final class BackwardRay {
     /**

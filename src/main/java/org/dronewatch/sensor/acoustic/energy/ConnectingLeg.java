@@ -10,8 +10,8 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The leg by which two points are connected: straight, through the walls between them, or by the
- * specular reflections of an image source. One per thread.
+ * The leg by which two points are connected: straight, through the walls between them, or by the specular reflections
+ * of an image source. For use by one thread.
  */
 final class ConnectingLeg {
     private final WallTransmission walls;

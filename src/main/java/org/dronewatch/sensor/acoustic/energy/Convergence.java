@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.energy;
 import org.dronewatch.sound.Levels;
 
 /**
- * Judges whether the rays traced so far determine a level, and how accurately. One per thread.
+ * Judges whether the rays traced so far determine a level, and how accurately. For use by one thread.
  *
  * <p>Where rays contribute little, a rare strong one may still change the level by more than all others, and the
  * scatter of a thousand rays does not show it if it is not among them. There the error includes an allowance for such a

@@ -104,7 +104,7 @@ public final class DecayCurve {
     /**
      * Reverberation time T30 of an octave band, s.
      *
-     * @param band from 0 for 63 Hz
+     * @param band index of the band, 0 for 63 Hz
      */
     public OptionalDouble t30(int band) {
         return t30(levels(band, band + 1));

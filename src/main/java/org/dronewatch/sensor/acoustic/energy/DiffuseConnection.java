@@ -10,9 +10,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Connects a point where a ray from the start is scattered to the target, and to the points where a ray from the
- * target was scattered first: straight, through the walls in between, and by the reflections of image sources.
- * Paths that are connected here must not be counted again in the sphere. One per thread.
+ * Connects a point where a ray from the start is scattered to the target, and to the points where a ray from the target
+ * was scattered first: straight, through the walls in between, and by the reflections of image sources. Paths that are
+ * connected here must not be counted again in the sphere. For use by one thread.
  */
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;

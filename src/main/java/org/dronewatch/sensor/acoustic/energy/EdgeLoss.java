@@ -21,7 +21,7 @@ import org.dronewatch.world.World;
  * slight bends attenuates little as long as it hides nothing. Several edges count as one until the path bends by
  * {@value #FULL_TURN} degrees at the first and at the last, so that an edge which the path just begins to touch causes
  * no step. Where another path is nearly as short as the shortest, as one edge over the top and two around the side, the
- * attenuation passes from that of one to that of the other. One per thread.
+ * attenuation passes from that of one to that of the other. For use by one thread.
  */
 final class EdgeLoss {
     private static final int BANDS = OctaveBands.COUNT;

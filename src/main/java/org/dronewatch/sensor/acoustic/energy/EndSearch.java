@@ -23,7 +23,7 @@ import org.dronewatch.world.World;
 /**
  * Finds the image sources that matter between a sensor and a source. Rays from either end find them, and purely
  * specular paths are constructed from them. In the open, where few rays pass an end, image sources are also kept whose
- * reflections carry most of the sound that is scattered near one end to the other. One per thread.
+ * reflections carry most of the sound that is scattered near one end to the other. For use by one thread.
  */
 final class EndSearch {
     /**
@@ -32,7 +32,9 @@ final class EndSearch {
      */
     private static final int RAYS = 2000;
 
-    /** The same where one end is sheltered: sound that comes in through a door comes from few image sources. */
+    /**
+     * The number of rays where one end is sheltered: sound that comes in through a door comes from few image sources.
+     */
     private static final int RAYS_TO_SHELTER = 4000;
 
     /**
@@ -44,7 +46,7 @@ final class EndSearch {
     /** Maximum number of image sources for which purely specular paths are searched. */
     private static final int MOST_PURE = 8000;
 
-    /** The same for those that rays find after they have passed through walls. */
+    /** Maximum number of image sources, for those that rays find after they have passed through walls. */
     private static final int MOST_BEHIND_WALLS = 2000;
 
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */

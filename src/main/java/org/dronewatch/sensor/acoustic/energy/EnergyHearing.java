@@ -188,8 +188,8 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * Directivities depend on the elevation alone. The radial speed shifts the lines of a spectrum, which matter to the
-     * narrow-band criterion; an emission of another kind may depend on the state of flight.
+     * {@inheritDoc} Directivities depend on the elevation alone. The radial speed shifts the lines of a spectrum, which
+     * matter to the narrow-band criterion; an emission of another kind may depend on the state of flight.
      */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {

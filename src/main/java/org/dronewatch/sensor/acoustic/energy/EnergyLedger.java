@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.acoustic.energy;
 
-/** Records where the energy of rays goes. One per thread. */
+/** Records where the energy of rays goes. For use by one thread. */
 final class EnergyLedger {
     private double gained;
     private double absorbed;

@@ -98,11 +98,11 @@ public record EnergyModel(
 
     /** A method for adding direct and ground-reflected sound. */
     public enum Ground {
-        /** Their energies add, as do those of all other paths. */
+        /** The energies of direct and ground-reflected sound are added, as are those of all other paths. */
         INCOHERENT,
         /**
-         * The two interfere, with the coherence that turbulence leaves: a spherical wave over the ground's impedance,
-         * averaged over each band.
+         * Direct and ground-reflected sound interfere, with the coherence that turbulence leaves: a spherical wave over
+         * the ground's impedance, averaged over each band.
          */
         COHERENT
     }

@@ -7,7 +7,8 @@ import org.dronewatch.sound.OctaveBands;
 
 /**
  * The energy that a ray carries in each band, and how air, surfaces and random choices change it. One branch is drawn
- * for all bands, according to their total energy; each band is then weighted so that its mean is right. One per thread.
+ * for all bands, according to their total energy; each band is then weighted so that its mean is right. For use by one
+ * thread.
  */
 final class EnergyPacket {
     private static final int BANDS = OctaveBands.COUNT;

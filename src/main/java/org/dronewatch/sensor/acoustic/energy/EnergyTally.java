@@ -6,8 +6,8 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Accumulates the contributions of rays, as intensity over the source's power, and their variance from ray to ray. One
- * per thread.
+ * Accumulates the contributions of rays, as intensity over the source's power, and their variance from ray to ray. For
+ * use by one thread.
  */
 final class EnergyTally {
     private static final int BANDS = OctaveBands.COUNT;

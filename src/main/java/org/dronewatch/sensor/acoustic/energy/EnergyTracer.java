@@ -29,7 +29,7 @@ import org.dronewatch.world.World;
  *
  * <p>Rays are traced in batches, on the {@link Workers} of the calling thread. Each batch has a separate random stream,
  * and batches are counted in order up to the one that makes the reading accurate enough: the reading is the same for
- * any number of threads. Used by one caller at a time.
+ * any number of threads. For use by one caller at a time.
  */
 public final class EnergyTracer {
     /**

@@ -13,7 +13,7 @@ import org.dronewatch.world.World;
 
 /**
  * The deterministic paths: straight from source to sensor, through walls that transmit sound; around the edges of the
- * obstacles that hide the source; and by specular reflections. One per thread.
+ * obstacles that hide the source; and by specular reflections. For use by one thread.
  */
 final class ExactPaths {
     private static final int BANDS = OctaveBands.COUNT;

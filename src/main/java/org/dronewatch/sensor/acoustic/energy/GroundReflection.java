@@ -19,7 +19,7 @@ import org.dronewatch.world.World;
  * where other reflections carry more energy than both together, phases are taken as random, that of the ground
  * reflection included. It takes the place of the first-order reflections within the ground's Fresnel zone. Where air
  * bends the paths, those reflections come from here even if they do not interfere, since the straight paths meet the
- * ground elsewhere. Sound scattered by rough ground is left to the rays. One per thread.
+ * ground elsewhere. Sound scattered by rough ground is left to the rays. For use by one thread.
  */
 final class GroundReflection {
     private static final int BANDS = OctaveBands.COUNT;

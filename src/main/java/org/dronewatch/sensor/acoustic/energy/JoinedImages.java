@@ -12,7 +12,7 @@ import org.dronewatch.sound.OctaveBands;
 
 /**
  * Chooses the image sources that join scattered sound to an end: those that would otherwise leave too much to the rays
- * that happen to pass it. One per thread.
+ * that happen to pass it. For use by one thread.
  */
 final class JoinedImages {
     /** Maximum number of image sources that join scattered sound to an end. */

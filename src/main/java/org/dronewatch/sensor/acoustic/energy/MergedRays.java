@@ -11,7 +11,7 @@ import org.dronewatch.world.World;
  * there from one to the other (vertex merging: Georgiev, Krivanek, Davidovic and Slusallek, SIGGRAPH Asia 2012). A
  * surface very near the target, such as the wall on which a microphone is mounted, is so loud to it that a ray which
  * hits just that point would otherwise stand out from thousands. Only rays are merged that come from a specular
- * reflection of which no image source is known: others are connected from either side. One per thread.
+ * reflection of which no image source is known: others are connected from either side. For use by one thread.
  */
 final class MergedRays {
     private static final int BANDS = OctaveBands.COUNT;

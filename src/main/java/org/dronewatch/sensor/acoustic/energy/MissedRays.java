@@ -15,7 +15,8 @@ import org.dronewatch.sound.OctaveBands;
  * lies, the sum in brackets is not below the square of the distance between the ends. E is that of the materials that a
  * few rays from either end meet. Each end may have image sources near it: the allowance is for one end over ground and
  * the other one in a corner of ground and wall, which makes {@value #PATHS} paths. It is not a bound on what a ray can
- * contribute: more image sources, several scatterings and the directivity of the source may add to it. One per thread.
+ * contribute: more image sources, several scatterings and the directivity of the source may add to it. For use by one
+ * thread.
  */
 final class MissedRays {
     private static final int BANDS = OctaveBands.COUNT;

@@ -8,7 +8,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
-/** Traces a batch of a reading's rays and keeps the results. One per thread. */
+/** Traces a batch of a reading's rays and keeps the results. For use by one thread. */
 final class RayBatch {
     private final EnergyModel model;
     private final WallPlanes planes;

@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  * the source: each contributes its energy times the length of its chord, and the sum divided by the sphere's volume is
  * the mean intensity in it. In the open, where few rays pass, the sphere is wider, so that no single ray contributes
  * much of the total, but it is never large compared with the ray's length. Only the part in line of sight of its centre
- * counts: the far side of a wall does not. One per thread.
+ * counts: the far side of a wall does not. For use by one thread.
  */
 final class ReceiverSphere {
     private static final int BANDS = OctaveBands.COUNT;

@@ -13,7 +13,7 @@ import org.dronewatch.world.World;
 
 /**
  * Rough estimates of what is heard, from a few samples. They affect how accurately sound is computed, not its expected
- * value. One per thread.
+ * value. For use by one thread.
  */
 final class RoughEstimate {
     /** A sample nearer to an end than this does not represent others, m. */

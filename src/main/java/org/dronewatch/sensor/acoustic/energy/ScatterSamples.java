@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
 
 /**
  * Where a few rays from a point are scattered: a rough picture of where the sound that is scattered to it comes from.
- * One per thread.
+ * For use by one thread.
  */
 final class ScatterSamples {
     /** The same point has the same samples: they affect how sound is computed, not its expected value. */

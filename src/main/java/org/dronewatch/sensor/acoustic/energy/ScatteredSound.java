@@ -15,7 +15,7 @@ import org.dronewatch.world.World;
 
 /**
  * Where one ray from the target is scattered. Each such point is a target for rays from the start: those rays alone
- * almost never hit the surfaces near the target when a drone flies low or lies on the ground. One per thread.
+ * almost never hit the surfaces near the target when a drone flies low or lies on the ground. For use by one thread.
  */
 final class ScatteredSound {
     private static final int BANDS = OctaveBands.COUNT;

@@ -49,12 +49,12 @@ public final class SoundSource {
         return new SoundSource(position, spectrum, this);
     }
 
-    /** The same source somewhere else. */
+    /** This source at another position. */
     SoundSource at(Position other) {
         return other.equals(position) ? this : new SoundSource(other, lines, this);
     }
 
-    /** Where it is. */
+    /** The position of the source. */
     Position position() {
         return position;
     }
@@ -85,7 +85,7 @@ public final class SoundSource {
 
     /**
      * Intensity in a band over the source's power, 1/m2: spread over the sphere and attenuated by the air. Nearer than
-     * {@value #SIZE} m it does not increase any more: a drone is not a point.
+     * {@value #SIZE} m it no longer increases: a drone is not a point.
      *
      * @param rise sine of the elevation at which the sound leaves
      * @param length length of the path, m

@@ -15,7 +15,7 @@ import org.dronewatch.world.World;
 
 /**
  * Paths of specular reflections alone, exact: one for every wall, and those of the image sources of higher order that
- * rays from the sensor or from the source have found. One per thread.
+ * rays from the sensor or from the source have found. For use by one thread.
  */
 final class SpecularPaths {
     private static final int BANDS = OctaveBands.COUNT;

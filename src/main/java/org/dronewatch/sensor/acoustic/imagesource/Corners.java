@@ -4,8 +4,8 @@ import org.dronewatch.world.Visibility;
 
 /**
  * Where walls meet, rounding decides on which side of the other walls a point in one of them lies, and where two
- * surfaces of one plane coincide, which of them is met. This class tests points slightly away from there, or
- * moved to the nearest point of a grid. One per thread.
+ * surfaces of one plane coincide, which of them is met. This class tests points slightly away from there, or moved to
+ * the nearest point of a grid. For use by one thread.
  */
 final class Corners {
     /** How far away, as a multiple of the planes' tolerance. */

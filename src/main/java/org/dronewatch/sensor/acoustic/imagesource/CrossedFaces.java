@@ -9,7 +9,8 @@ import org.dronewatch.world.World;
 /**
  * The coincident faces where a path of sound meets one of them, by material: all are crossed at once. The path leaves
  * the solids that it is inside, and enters the others. Coincident faces of a sheet count as one. So do those of a
- * solid: all of them where the path enters it, and up to the same number where the path leaves it. One per thread.
+ * solid: all of them where the path enters it, and up to the same number where the path leaves it. For use by one
+ * thread.
  */
 public final class CrossedFaces {
     /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */
@@ -46,10 +47,10 @@ public final class CrossedFaces {
     /**
      * Finds the faces at a point.
      *
-     * @param triangle that the path meets there
-     * @param material of that triangle
-     * @param x of the point, m
-     * @param alongX of the path's direction, which may have any length
+     * @param triangle the triangle that the path meets there
+     * @param material material of that triangle
+     * @param x x coordinate of the point, m
+     * @param alongX x component of the path's direction, which may have any length
      */
     public void find(
             int triangle, int material, double x, double y, double z, double alongX, double alongY, double alongZ) {

@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * The solids that a path of sound is inside, by the numbers of their materials. They may overlap, as walls do at the
- * corners of merged models: leaving one of them does not end the others. A mutable, reused object, for one thread.
+ * corners of merged models: leaving one of them does not end the others. A mutable, reused object, for use by one
+ * thread.
  */
 public final class EnteredSolids {
     /** Air: within no solid. Not to be modified. */
@@ -17,7 +18,7 @@ public final class EnteredSolids {
 
     private int count;
 
-    /** Back into air. */
+    /** Leaves all solids. */
     public void clear() {
         count = 0;
     }

@@ -6,7 +6,9 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** Whether the legs of a path of specular reflections are clear, and which triangles they hit. One per thread. */
+/**
+ * Whether the legs of a path of specular reflections are clear, and which triangles they hit. For use by one thread.
+ */
 final class FreeLegs {
     /** The largest part of a leg, at either end, along which an arc need not be free. */
     private static final double MOST_OFF = 0.01;

@@ -21,7 +21,7 @@ public final class ImageSourceCandidates {
 
     private int[] children = new int[2 * FIRST_SIZE];
 
-    /** No candidates yet but the source itself. */
+    /** Candidates that consist only of the source itself. */
     public ImageSourceCandidates() {
         parents[ImageSources.ORIGINAL] = ImageSources.ORIGINAL;
         walls[ImageSources.ORIGINAL] = WallPlanes.NONE;
@@ -95,7 +95,7 @@ public final class ImageSourceCandidates {
         return count == 1;
     }
 
-    /** Adds all image sources of others that are not known yet, as worth nothing. */
+    /** Adds, with a worth of 0, those image sources of another set that are not known yet. */
     public void add(ImageSources others) {
         int[] images = new int[others.count()];
         for (int image = 1; image < images.length; image++) {

@@ -14,7 +14,7 @@ import org.dronewatch.world.World;
 /**
  * Finds the relevant image sources of a point: those whose walls reflect evenly spread rays from it (M. Vorlaender,
  * JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than that between neighbouring rays
- * may be missed. Searches from the same point give the same image sources. One per thread.
+ * may be missed. Searches from the same point give the same image sources. For use by one thread.
  */
 public final class ImageSourceSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */

@@ -26,7 +26,7 @@ public final class ImageSources {
     private final int highestOrder;
 
     /**
-     * Image sources.
+     * A tree of image sources.
      *
      * @param parents parent of each image; any number for the first, which is the point itself
      * @param walls the last wall of each image; any number for the first
@@ -62,7 +62,7 @@ public final class ImageSources {
     /**
      * A subset of these images, with all their parents.
      *
-     * @param isKept for each image, whether it is kept
+     * @param isKept whether each image is kept
      */
     public ImageSources kept(boolean[] isKept) {
         boolean[] needed = isKept.clone();

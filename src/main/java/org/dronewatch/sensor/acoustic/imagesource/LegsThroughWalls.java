@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
  * What the walls on a path of specular reflections transmit and reflect: each leg passes through them like direct
  * sound, and solids that the path has entered before a reflection are left after it. The path is followed a little
  * before the walls that reflect it, across their corners: whatever stands on a wall there is crossed once, on whichever
- * side of the reflection rounding has put it. One per thread.
+ * side of the reflection rounding has put it. For use by one thread.
  */
 final class LegsThroughWalls {
     private static final int BANDS = OctaveBands.COUNT;

@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
 
 /**
  * Follows the rays of an {@link ImageSourceSearch} through the walls that they hit. From there on they find image
- * sources whose paths pass through walls between reflections. One per thread.
+ * sources whose paths pass through walls between reflections. For use by one thread.
  */
 final class SearchThroughWalls {
     /** How many times the rays of one direction pass through walls, all branches together. */

@@ -6,7 +6,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
  * The leg of a ray since it left the sensor or the source or was last scattered: its sequence of specular reflections,
- * and whether that belongs to an image source. One per thread.
+ * and whether that belongs to an image source. For use by one thread.
  */
 public final class SpecularLeg {
     private int[] walls = new int[16];
@@ -80,7 +80,7 @@ public final class SpecularLeg {
     }
 
     /**
-     * Whether a path via the same walls leads to a point, and not only past it. Not valid for a ray that has passed
+     * Whether a path via the same walls leads to a point, rather than past it. Not valid for a ray that has passed
      * through a wall.
      */
     public boolean leadsTo(Position point, SpecularPath path, WallPlanes planes) {
@@ -110,15 +110,16 @@ public final class SpecularLeg {
     }
 
     /**
-     * Whether it is reflected like sound from one of the image sources of the point where the ray began, in air alone.
+     * Whether the ray is reflected like sound from one of the image sources of the point where the ray began, in air
+     * alone.
      */
     public boolean matchesFromStart(ImageSources imageSources) {
         return !isThroughWalls && isReflectedFromStart(imageSources);
     }
 
     /**
-     * Whether it is reflected like sound from one of the image sources of the point where the ray began, whatever the
-     * walls through which it passed in between.
+     * Whether the ray is reflected like sound from one of the image sources of the point where the ray began, whatever
+     * the walls through which it passed in between.
      */
     public boolean isReflectedFromStart(ImageSources imageSources) {
         // The parents of images are images, too: a leg that has left their tree never returns, and is not looked up.
@@ -134,16 +135,16 @@ public final class SpecularLeg {
     }
 
     /**
-     * Whether, traced backward, it is reflected like sound from one of the image sources of a point where the ray ends,
-     * in air alone.
+     * Whether, traced backward, the ray is reflected like sound from one of the image sources of a point where the ray
+     * ends, in air alone.
      */
     public boolean matchesFromEnd(ImageSources imageSources) {
         return !isThroughWalls && isReflectedFromEnd(imageSources);
     }
 
     /**
-     * Whether, traced backward, it is reflected like sound from one of the image sources of a point where the ray ends,
-     * whatever the walls through which it passed in between.
+     * Whether, traced backward, the ray is reflected like sound from one of the image sources of a point where the ray
+     * ends, whatever the walls through which it passed in between.
      */
     public boolean isReflectedFromEnd(ImageSources imageSources) {
         return order > 0 && imageSources.contains(order, reverse);

@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
 /**
  * A path from one point via specular reflections to another, constructed from image sources: it must hit every wall at
  * the right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). It
- * may pass through walls that transmit sound if {@link #throughWalls} says so. One per thread.
+ * may pass through walls that transmit sound if {@link #throughWalls} says so. For use by one thread.
  */
 public final class SpecularPath {
     private static final int BANDS = OctaveBands.COUNT;
@@ -77,9 +77,9 @@ public final class SpecularPath {
     }
 
     /**
-     * The same for points that may lie on surfaces. A wall reflects nothing that begins or ends in its own plane.
-     * Rounding may have put such a point on either side of the plane, so the wall's number decides: otherwise sound
-     * would leak through a sheet by a reflection on its other side.
+     * Follows the path from a point to the one whose images are given, where both may lie on surfaces. A wall reflects
+     * nothing that begins or ends in its own plane. Rounding may have put such a point on either side of the plane, so
+     * the wall's number decides: otherwise sound would leak through a sheet by a reflection on its other side.
      *
      * @param fromWall the wall on which the path begins, or {@link WallPlanes#NONE}
      * @param toWall the wall on which it ends, or {@link WallPlanes#NONE}

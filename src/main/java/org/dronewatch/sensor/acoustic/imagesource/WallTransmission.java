@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
 
 /**
  * Transmission along straight lines and arcs: a sheet attenuates by its transmission loss, a solid once, where the line
- * enters; opaque surfaces transmit nothing. One per thread.
+ * enters; opaque surfaces transmit nothing. For use by one thread.
  */
 public final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
@@ -35,8 +35,8 @@ public final class WallTransmission {
     /**
      * Follows the arc of sound between two points through all that obstructs it.
      *
-     * @param solids within which the path begins
-     * @param curvature of sound on it, either way, 1/m; 0 for a straight line
+     * @param solids the solids within which the path begins
+     * @param curvature curvature of sound on it, in either direction, 1/m; 0 for a straight line
      * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this path
      */
     public boolean trace(
@@ -55,7 +55,7 @@ public final class WallTransmission {
     /**
      * Begins a path of several arcs.
      *
-     * @param solids within which it begins
+     * @param solids the solids within which it begins
      */
     void begin(EnteredSolids solids) {
         Arrays.fill(passed, 1.0);
@@ -66,7 +66,7 @@ public final class WallTransmission {
     /**
      * Follows the next arc of a path.
      *
-     * @param curvature of sound on it, either way, 1/m; 0 for a straight line
+     * @param curvature curvature of sound on it, in either direction, 1/m; 0 for a straight line
      * @param one a wall that the arc does not cross, though rounding may make it seem so, or {@link WallPlanes#NONE}
      * @param other another such wall, or NONE
      * @return whether any of the sound gets to its end

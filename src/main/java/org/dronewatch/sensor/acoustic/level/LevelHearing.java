@@ -15,8 +15,8 @@ import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.world.World;
 
 /**
- * A microphone in the level model: it measures the highest level received, which is not divided among rays. One thread
- * at a time.
+ * A microphone in the level model: it measures the highest level received, which is not divided among rays. For use by
+ * one thread at a time.
  */
 public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */
@@ -82,10 +82,9 @@ public final class LevelHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} It does not trace rays that cannot lead to a ray that is loud enough; where some looks detect the
-     * drone and some do not, it traces more of the others, so that the probability is more accurate. If it matters only
-     * on which side of a limit the probability lies, it traces no more rays after the first look than are needed to
-     * show it.
+     * {@inheritDoc} It traces only rays that can lead to a ray that is loud enough; where some looks detect the drone
+     * and some do not, it traces more of them, so that the probability is more accurate. If it matters only on which
+     * side of a limit the probability lies, it traces no more rays after the first look than are needed to show it.
      */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random, ProbabilityResolution resolution) {
@@ -107,7 +106,10 @@ public final class LevelHearing implements SoundTracer {
         return straightLevel(drone) >= threshold;
     }
 
-    /** The level model does not depend on direction; an emission of another kind may depend on the state of flight. */
+    /**
+     * {@inheritDoc} The level model does not depend on direction; an emission of another kind may depend on the state
+     * of flight.
+     */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {
         return drone.settings().emission().isStatedBySettings();

@@ -20,7 +20,7 @@ import org.dronewatch.world.World;
  *
  * <p>Rays are queued and traced in chunks of the queue, on the {@link Workers} of the calling thread. Each chunk has a
  * separate random stream, and the results are added in the queue's order: they are the same for any number of threads.
- * Used by one caller at a time.
+ * For use by one caller at a time.
  */
 public final class LevelTracer {
     /** Number of queued rays in a chunk. */

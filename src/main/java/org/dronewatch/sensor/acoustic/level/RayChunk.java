@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
 
 /**
  * Traces a chunk of the queued rays: what they contribute at the sensor, and the rays that leave the surfaces that they
- * hit. One per thread.
+ * hit. For use by one thread.
  */
 final class RayChunk {
     /** How far rays that hit nothing are drawn, m. */

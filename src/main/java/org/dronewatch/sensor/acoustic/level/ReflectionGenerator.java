@@ -9,7 +9,8 @@ import org.dronewatch.world.World;
 /**
  * Generates the rays from a surface: first the specular one, then one straight to the sensor if that lies on the same
  * side, and the rest at random over the hemisphere; if the material transmits sound, also rays on the other side, the
- * first refracted and the rest scattered. After the thesis, sections 5.2.3 and 6.2.11. One per thread.
+ * first refracted and the rest scattered. It follows sections 5.2.3 and 6.2.11 of the thesis on which this project is
+ * based. For use by one thread.
  */
 public final class ReflectionGenerator {
     /**
@@ -74,9 +75,9 @@ public final class ReflectionGenerator {
      * and the transmitted energy are divided among them.
      *
      * @param ray the ray that arrives
-     * @param distance from its origin to the triangle, m
+     * @param distance distance from the ray's origin to the triangle, m
      * @param triangle index in the world's mesh
-     * @param arriving its level at the triangle, dB
+     * @param arriving level of the ray at the triangle, dB
      * @param random draws the directions of scattered rays
      * @param target receives the rays, the specular one first
      */
@@ -95,7 +96,7 @@ public final class ReflectionGenerator {
      */
     record Draw(RandomGenerator random, Branches target, ScatteredRays.Choice wanted) {}
 
-    /** The same, but only for those scattered rays that are wanted. */
+    /** Generates the rays from a triangle that a ray hits, but only those scattered rays that are wanted. */
     void acousticDistribution(AcousticRay ray, double distance, int triangle, double arriving, Draw draw) {
         setHit(ray, distance, triangle);
         int material = world.material(triangle, hitX, hitY);

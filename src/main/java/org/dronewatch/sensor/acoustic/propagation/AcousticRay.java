@@ -6,7 +6,8 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * One straight segment of a sound ray. It carries two quantities: a level, which is used for detection and copied to
- * each outgoing ray, and an energy, which is divided among outgoing rays. A mutable, reused object, for one thread.
+ * each outgoing ray, and an energy, which is divided among outgoing rays. A mutable, reused object, for use by one
+ * thread.
  */
 public final class AcousticRay {
     /** The medium of rays in air. */
@@ -14,22 +15,22 @@ public final class AcousticRay {
 
     private static final double STAND_OFF = 1e-9;
 
-    /** Origin, m. */
+    /** The x coordinate of the origin, m. */
     public double originX;
 
-    /** Origin, m. */
+    /** The y coordinate of the origin, m. */
     public double originY;
 
-    /** Origin, m. */
+    /** The z coordinate of the origin, m. */
     public double originZ;
 
-    /** Unit direction. */
+    /** The x component of the unit direction. */
     public double directionX;
 
-    /** Unit direction. */
+    /** The y component of the unit direction. */
     public double directionY;
 
-    /** Unit direction. */
+    /** The z component of the unit direction. */
     public double directionZ;
 
     /** Undivided level at the origin, dB. */
@@ -41,23 +42,23 @@ public final class AcousticRay {
     /** Path length from the drone to the origin, m. */
     public double travelled;
 
-    /** Number of surfaces that it has hit. */
+    /** Number of surfaces that the ray has hit. */
     public int order;
 
-    /** Index of the material in which it propagates, or {@link #AIR}. */
+    /** Index of the material in which the ray propagates, or {@link #AIR}. */
     public int medium;
 
-    /** Whether it hits a surface; the tracer then has the triangle and the distance. */
+    /** Whether the ray hits a surface; the tracer then has the triangle and the distance. */
     public boolean meets(RayTracer tracer) {
         return meets(tracer, Double.POSITIVE_INFINITY);
     }
 
-    /** The same, but only up to a distance from its origin, m. */
+    /** Whether the ray hits a surface within a given distance of its origin, m. */
     public boolean meets(RayTracer tracer, double limit) {
         return tracer.closestHit(originX, originY, originZ, directionX, directionY, directionZ, 0.0, limit);
     }
 
-    /** Moves its origin along its direction, m. */
+    /** Moves the ray's origin along its direction, m. */
     public void advance(double distance) {
         originX += distance * directionX;
         originY += distance * directionY;
@@ -65,7 +66,7 @@ public final class AcousticRay {
     }
 
     /**
-     * Moves its origin off a surface, by more than the rounding error of its coordinates.
+     * Moves the ray's origin off a surface, by more than the rounding error of its coordinates.
      *
      * @param normal unit normal of the surface
      * @param side 1 for the side of the normal, -1 for the other one
@@ -77,7 +78,7 @@ public final class AcousticRay {
         originZ += step * normal[2];
     }
 
-    /** Reflects it specularly; its origin is unchanged. */
+    /** Reflects the ray specularly; its origin is unchanged. */
     public void reflect(double[] normal) {
         double twice = 2.0 * (directionX * normal[0] + directionY * normal[1] + directionZ * normal[2]);
         directionX -= twice * normal[0];
@@ -85,7 +86,10 @@ public final class AcousticRay {
         directionZ -= twice * normal[2];
     }
 
-    /** Where the ray enters a sphere: a distance from its origin, m; 0 inside it, infinite if it misses the sphere. */
+    /**
+     * The distance from the ray's origin at which it enters a sphere, m; 0 if the origin is inside, infinite if the ray
+     * misses the sphere.
+     */
     public double entry(Position centre, double radius) {
         return IntersectionHandler.raySphere(
                 originX,

@@ -2,8 +2,8 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 /**
  * An arc of sound between two points, approximated by straight pieces. The ends of the pieces are not at simple
- * fractions of the arc, so that they are unlikely to lie in a wall, which the pieces on both sides would miss. One per
- * thread.
+ * fractions of the arc, so that they are unlikely to lie in a wall, which the pieces on both sides would miss. For use
+ * by one thread.
  */
 public final class ArcLine {
     private static final double GOLDEN = 0.3819660112501051;
@@ -53,17 +53,17 @@ public final class ArcLine {
         return corners + 1;
     }
 
-    /** The end of a piece, m; the end of piece -1 is the first point. */
+    /** The x coordinate of the end of a piece, m; the end of piece -1 is the first point. */
     public double x(int piece) {
         return fromX + share(piece) * alongX;
     }
 
-    /** The end of a piece, m. */
+    /** The y coordinate of the end of a piece, m. */
     public double y(int piece) {
         return fromY + share(piece) * alongY;
     }
 
-    /** The end of a piece, m. */
+    /** The z coordinate of the end of a piece, m. */
     public double z(int piece) {
         double share = share(piece);
         double sag =

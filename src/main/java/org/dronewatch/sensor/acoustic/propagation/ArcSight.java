@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.propagation;
 import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
-/** Tests whether arcs of sound between two points are unobstructed. One per thread. */
+/** Tests whether arcs of sound between two points are unobstructed. For use by one thread. */
 public final class ArcSight {
     private static final double OVERLAP = 4.0 * Visibility.MARGIN;
 

@@ -25,7 +25,7 @@ public final class BandSurfaces {
     /** By material; null where absorption is the same at all angles. */
     private final AngularAbsorption[] angular;
 
-    /** The surfaces of a world by the numbers of their materials. */
+    /** The surfaces of a world, indexed by material. */
     public BandSurfaces(List<SurfaceMaterial> surfaces) {
         int count = surfaces.size();
         this.reflected = new double[BANDS * count];

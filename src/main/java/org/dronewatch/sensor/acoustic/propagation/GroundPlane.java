@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
  * The plane that represents the ground in the reflection of sound between two points. A plane or, if that fits better,
  * a surface that is convex along the path is fitted to the ground within the first Fresnel zone around the point of
  * reflection; the result is the tangent plane at the point of reflection. The ground consists of the surfaces straight
- * below the line between the points and, within the zone, beside it. One per thread.
+ * below the line between the points and, within the zone, beside it. For use by one thread.
  */
 public final class GroundPlane {
     /** Samples of the surface along the line and on each side of it. */
@@ -98,7 +98,7 @@ public final class GroundPlane {
      * @param share position along the line, 0 to 1
      * @param wavelength wavelength of the sound, which determines the width of the relevant ground beside the line, m,
      *     above 0
-     * @return whether there is one
+     * @return whether there is a surface
      */
     public boolean findHighest(Position first, Position second, double share, double wavelength) {
         measure(first, second);
@@ -114,12 +114,12 @@ public final class GroundPlane {
         secondOverGround = second.z() - profile.z(profile.distance(), 0.0);
     }
 
-    /** Height of the first point above the ground straight below it, m; not a number where there is none. */
+    /** Height of the first point above the ground straight below it, m; NaN where there is none. */
     public double firstOverGround() {
         return firstOverGround;
     }
 
-    /** Height of the second point above the ground straight below it, m; not a number where there is none. */
+    /** Height of the second point above the ground straight below it, m; NaN where there is none. */
     public double secondOverGround() {
         return secondOverGround;
     }

@@ -7,7 +7,7 @@ import org.dronewatch.world.World;
 
 /**
  * The surface below the line between two points and beside it. Its frame: u runs horizontally from below the first
- * point to below the second, v to the left of it. One per thread.
+ * point to below the second, v to the left of it. For use by one thread.
  */
 final class GroundProfile {
     /** Points no farther apart than this, m, are straight above each other. */

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.propagation;
 /**
  * A plane {@code z = level + slopeU u + slopeV v} that reflects sound between two points above it, in the frame of
  * {@link GroundProfile}: one point is above u = 0, the other above u = distance, both above v = 0. Where arcs are drawn
- * straight the heights are those of the straight line. One per thread.
+ * straight the heights are those of the straight line. For use by one thread.
  */
 final class MirrorPlane {
     private double firstZ;

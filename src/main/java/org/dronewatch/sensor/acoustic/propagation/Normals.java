@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 import org.dronewatch.geometry.TriangleMesh;
 
-/** Unit normals of a mesh's triangles. One per thread. */
+/** Unit normals of a mesh's triangles. For use by one thread. */
 public final class Normals {
     /** Up to this number of triangles the normals are tabulated: a table of this size fits the fastest cache. */
     private static final int MOST_TABULATED = 256;

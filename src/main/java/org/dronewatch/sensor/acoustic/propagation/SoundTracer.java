@@ -9,13 +9,15 @@ import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.Signal;
 
-/** Traces sound from drones to one microphone in one world. May keep scratch memory: one thread at a time. */
+/**
+ * Traces sound from drones to one microphone in one world. May keep scratch memory: for use by one thread at a time.
+ */
 public interface SoundTracer {
 
     /**
      * Takes one look.
      *
-     * @param drone as it was when the sound left it
+     * @param drone the drone, as it was when the sound left it
      * @param random the random numbers of the look's rays
      */
     Heard hear(Drone drone, RandomGenerator random);

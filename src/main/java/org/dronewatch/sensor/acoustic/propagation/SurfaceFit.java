@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The surface {@code z = level + slopeU u + slopeV v + bend u^2} that fits points best, by least squares of z: a plane,
- * or, where that fits better, one that is convex along u. One per thread.
+ * or, where that fits better, one that is convex along u. For use by one thread.
  */
 final class SurfaceFit {
     private static final int PLANE = 3;
