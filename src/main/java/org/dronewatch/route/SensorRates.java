@@ -25,7 +25,7 @@ import org.dronewatch.sensor.SensorSettings;
  *
  * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds
  * states what fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
- * heading on which the same fraction passes in the middle of the cell, or between those on which less and more of it
+ * heading on which the same fraction passes at the centre of the cell, or between those on which less and more of it
  * does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
  */
 final class SensorRates {

@@ -126,7 +126,7 @@ final class DraftLayer {
     }
 
     /**
-     * Assesses the open cell that is nearest to the middle of a block, unless another one has been assessed; whether
+     * Assesses the open cell that is nearest to the centre of a block, unless another one has been assessed; whether
      * that was done.
      */
     private boolean assessBlock(LayerRow looks, int west, int north) {

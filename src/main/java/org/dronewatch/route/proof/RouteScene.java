@@ -89,7 +89,7 @@ public final class RouteScene {
     }
 
     /**
-     * The same scene without cues: positioners only search. No sensor cues them, and they do not follow what their own
+     * A scene without its cues: positioners only search. No sensor cues them, and they do not follow what their own
      * sensors see, so that where they point does not depend on chance.
      */
     public static SceneSettings withoutCues(SceneSettings scene) {
