@@ -40,7 +40,7 @@ public final class Rose {
      * An empty rose.
      *
      * @param label describes the drawing, for readers who cannot see it
-     * @param most the value at its rim, above 0
+     * @param most the value at the rim, above 0
      * @param unit of the values
      */
     public Rose(String label, double most, String unit) {

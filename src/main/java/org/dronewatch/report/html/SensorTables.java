@@ -26,16 +26,12 @@ public final class SensorTables {
         this.settings = settings;
     }
 
-    /** A row for each sensor. */
+    /** The table of the sensors, with a row for each. */
     public String sensors() {
         return sensors("No prices are known; they can be set in the scene under 'prices'.");
     }
 
-    /**
-     * The same.
-     *
-     * @param unpriced what to say if the scene states no prices
-     */
+    /** The table of the sensors, with a row for each. * * @param unpriced what to say if the scene states no prices */
     public String sensors(String unpriced) {
         Map<String, Double> prices = settings.prices().sensors();
         boolean priced = !prices.isEmpty();

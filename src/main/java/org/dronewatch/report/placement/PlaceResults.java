@@ -23,11 +23,7 @@ public interface PlaceResults {
     /** Whether anything that was asked for is missing because of an interruption. */
     boolean isInterrupted();
 
-    /**
-     * The same when the time limit has cut something else short.
-     *
-     * @param limits of the search
-     */
+    /** These results, marked as lacking a part that the time limit cut short. * * @param limits limits of the search */
     PlaceResults without(LeftOut part, SolverLimits limits);
 
     /** Whether nothing that was asked for was left out, because of an interruption or a limit. */
@@ -54,7 +50,7 @@ public interface PlaceResults {
     /** The lines of the results: tables and sentences. */
     List<String> lines();
 
-    /** Which commands give these figures again if the scene of the layout has been written, in sentences. */
+    /** The commands that reproduce these figures if the scene of the layout has been written, in sentences. */
     List<String> reproduction();
 
     /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */

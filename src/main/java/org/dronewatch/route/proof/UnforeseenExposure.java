@@ -36,7 +36,7 @@ public final class UnforeseenExposure implements ExposureField {
     }
 
     /**
-     * This field with what a route adds.
+     * This field with the unexpected exposure of one more route.
      *
      * @param route a route, once the looks along it have been assessed
      * @param modes modes in which the drone flies, in the order of their numbers

@@ -12,7 +12,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.report.CompassPoint;
 
 /**
- * The point from which a report describes where something is: the middle of what is protected, or of the sensors.
+ * The point from which a report describes where something is: the centre of what is protected, or the mean position of
+ * the sensors.
  *
  * @param at its position, m
  * @param name what it is, such as {@code the centroid of the sensors}
