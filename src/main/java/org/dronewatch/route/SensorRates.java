@@ -168,7 +168,10 @@ final class SensorRates {
         return response.orElseThrow().of(x, y, z, motion);
     }
 
-    /** The same, with a reserve, so that rounding does not make a drone visible at the end of a leg. */
+    /**
+     * The fraction that {@link #passing} gives, with a reserve, so that rounding does not make a drone visible at the
+     * end of a leg.
+     */
     double passingInFlight(double x, double y, double z, LegMotion motion) {
         return response.orElseThrow().inFlight(x, y, z, motion);
     }

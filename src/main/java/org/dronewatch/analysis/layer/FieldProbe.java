@@ -193,7 +193,7 @@ public record FieldProbe(
                 : assessCoarsely(assessor, there, pointing);
     }
 
-    /** The same without interpolation. */
+    /** The assessment of a drone, exact only to the steps of a {@link CellCode}, without interpolation. */
     Assessment assessCoarsely(Assessor assessor, Drone there, Optional<Pointing> pointing) {
         return assessor.assessCoarsely(there, pointing, rays(), resolution(assessor, there, pointing));
     }

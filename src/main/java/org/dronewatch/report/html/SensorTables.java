@@ -31,7 +31,11 @@ public final class SensorTables {
         return sensors("No prices are known; they can be set in the scene under 'prices'.");
     }
 
-    /** The table of the sensors, with a row for each. * * @param unpriced what to say if the scene states no prices */
+    /**
+     * The table of the sensors, with a row for each.
+     *
+     * @param unpriced what to say if the scene states no prices
+     */
     public String sensors(String unpriced) {
         Map<String, Double> prices = settings.prices().sensors();
         boolean priced = !prices.isEmpty();

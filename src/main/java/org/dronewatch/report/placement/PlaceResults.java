@@ -23,7 +23,11 @@ public interface PlaceResults {
     /** Whether anything that was asked for is missing because of an interruption. */
     boolean isInterrupted();
 
-    /** These results, marked as lacking a part that the time limit cut short. * * @param limits limits of the search */
+    /**
+     * These results, marked as lacking a part that the time limit cut short.
+     *
+     * @param limits limits of the search
+     */
     PlaceResults without(LeftOut part, SolverLimits limits);
 
     /** Whether nothing that was asked for was left out, because of an interruption or a limit. */

@@ -28,7 +28,7 @@ public final class RouteScene {
     }
 
     /**
-     * The same route, begun later: the drone waits where it begins, which does not count for its endurance.
+     * A scene with its route begun later: the drone waits where it begins, which does not count for its endurance.
      *
      * @param scene with one drone
      * @param delay in addition, s

@@ -58,7 +58,7 @@ public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy
         return Math.hypot(x - at.x(), y - at.y());
     }
 
-    /** Coordinates in the scene's frame and on earth: {@code x -44 m, y 124 m; 43.73120° N, 7.41950° E}. */
+    /** Coordinates in the scene's frame, and geographic ones: {@code x -44 m, y 124 m; 43.73120° N, 7.41950° E}. */
     String coordinates(double x, double y) {
         String plan = String.format(Locale.ROOT, "x %.0f m, y %.0f m", x + 0.0, y + 0.0);
         return plan

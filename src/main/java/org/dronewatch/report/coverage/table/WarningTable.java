@@ -67,14 +67,14 @@ public final class WarningTable {
     }
 
     /**
-     * The least warning, with its bearings, and if some bearings give no warning, the least warning from the others.
+     * The least warning, with its bearings, and, if some bearings give no warning, the least warning from the others.
      */
     public static String leastAndOthers(List<Warning> warnings) {
         return leastAndOthers(warnings, WarningTable::seconds);
     }
 
     /**
-     * The least warning, as {@link #leastAndOthers(List)}, with times in other words.
+     * The least warning, as {@link #leastAndOthers(List)}, with times written otherwise.
      *
      * @param words writes a time, s
      */
