@@ -138,7 +138,7 @@ public final class Rose {
                 format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>%n", x, y, anchor, Html.text(words)));
     }
 
-    /** The drawing. */
+    /** The drawing as mark-up. */
     public String svg() {
         return svg.toString() + labels + "</svg></div>\n";
     }
