@@ -15,8 +15,8 @@ import org.dronewatch.setting.file.Node;
 /**
  * A sensor that may be bought, and where it may be installed.
  *
- * @param sensor settings of the sensor as in a scene file, without a position, such as {@code {use:
- *     blighter-a400-m10s}}
+ * @param sensor settings of the sensor as in a scene file, without a position, such as
+ *     {@code {use: blighter-a400-m10s}}
  * @param price price of one sensor, including its installation, 0 to 1e12, in the currency of the budget
  * @param places positions at which the sensor may be installed
  * @param line positions along a line
