@@ -34,7 +34,7 @@ public record Calibration(
     /** The greatest distance between the ranges at which a pixel count is evaluated, as a fraction of the range. */
     private static final double STEP = 1e-3;
 
-    /** The same near the sensor, m. */
+    /** The greatest distance between the ranges at which a pixel count is evaluated near the sensor, m. */
     private static final double NEAREST_STEP = 1e-2;
 
     /**

@@ -129,7 +129,7 @@ public final class Coverage {
 
     /**
      * A sensor's assessment of the drone in a cell, using the same random rays as the sensor's look there; empty where
-     * there is no ground. For one thread at a time.
+     * there is no ground. For use by one thread at a time.
      */
     public Optional<Assessment> assess(String sensor, int column, int row) {
         return probers.get(sensor).assess(column, row);
@@ -137,7 +137,7 @@ public final class Coverage {
 
     /**
      * The number of cells in which a sensor does not detect the drone, for each cause, excluding cells without ground.
-     * Microphones trace no rays for this. For one thread at a time.
+     * Microphones trace no rays for this. For use by one thread at a time.
      */
     public Map<Cause, Integer> causes(String sensor) {
         Prober prober = probers.get(sensor);

@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 /**
  * A square grid of points at one height above the ground, at each of which a drone is placed.
  *
- * @param east east coordinate of the middle, -100 to 100 km, m
- * @param north north coordinate of the middle, -100 to 100 km, m
+ * @param east east coordinate of the centre, -100 to 100 km, m
+ * @param north north coordinate of the centre, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m
  * @param cells number of points along a side, 2 to 2000
  * @param height height of the points above the highest surface below them, above 0 and at most 10 km, m
@@ -34,12 +34,12 @@ public record CoverageGrid(
         return step() * step();
     }
 
-    /** East coordinate of the middle of a column, counted from the west, m. */
+    /** East coordinate of the centre of a column, counted from the west, m. */
     public double x(int column) {
         return east - 0.5 * side + (column + 0.5) * step();
     }
 
-    /** North coordinate of the middle of a row, counted from the north, m. */
+    /** North coordinate of the centre of a row, counted from the north, m. */
     public double y(int row) {
         return north + 0.5 * side - (row + 0.5) * step();
     }

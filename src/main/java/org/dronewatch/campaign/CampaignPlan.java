@@ -60,10 +60,11 @@ public final class CampaignPlan implements Cases {
     }
 
     /**
-     * The same with scenes, or a store, from elsewhere.
+     * Reads the scenes of all variants, supplied by the caller, loads their models, and checks that the least and
+     * greatest values of all settings that vary are valid.
      *
      * @param directory directory of the table
-     * @param scenes supplies a scene by its name
+     * @param scenes supplies a scene by its name, and states where prepared sites are kept
      * @param notes receives a line for each file read, and each warning
      * @throws InputException when anything is wrong, with a message of one line
      */
@@ -235,7 +236,7 @@ public final class CampaignPlan implements Cases {
         return settings(this, number, variant);
     }
 
-    /** Where the prepared sites of its scenes are kept. */
+    /** Where the prepared sites of the campaign's scenes are kept. */
     public StorePlace store() {
         return store;
     }

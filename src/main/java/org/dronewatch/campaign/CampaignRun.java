@@ -26,7 +26,7 @@ public final class CampaignRun {
 
     /** Where the results of chunks are kept. */
     public interface Chunks {
-        /** The results of a chunk, by case, then variant; empty if they are not there. */
+        /** The results of a chunk, by case, then variant; empty if they have not been kept. */
         Optional<List<CaseResult>> find(int chunk);
 
         /**
@@ -40,10 +40,10 @@ public final class CampaignRun {
     /** Receives the progress, from any thread. */
     @FunctionalInterface
     public interface Progress {
-        /** This many more cases have been run. */
+        /** Receives the number of further cases that have been run. */
         void ran(int cases);
 
-        /** This many more cases had been run before. */
+        /** Receives the number of further cases whose results had been kept before. */
         default void kept(int cases) {
             ran(cases);
         }
@@ -107,7 +107,8 @@ public final class CampaignRun {
     }
 
     /**
-     * Runs what is missing, on the {@link Workers} of the calling thread; the results do not depend on their number.
+     * Runs the chunks whose results have not been kept, on the {@link Workers} of the calling thread; the results do
+     * not depend on their number.
      *
      * @throws java.util.concurrent.CancellationException when the thread is interrupted: complete chunks are kept
      */

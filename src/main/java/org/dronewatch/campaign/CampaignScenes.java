@@ -24,12 +24,14 @@ public record CampaignScenes(Function<String, Scene> byName, StorePlace store) {
         return of(name -> SceneByName.of(directory, name, "campaign file"));
     }
 
-    /** Scenes from elsewhere; prepared sites are kept in the {@link StorePlace#ofProcess store of this process}. */
+    /**
+     * Scenes supplied by the caller; prepared sites are kept in the {@link StorePlace#ofProcess store of this process}.
+     */
     public static CampaignScenes of(Function<String, Scene> byName) {
         return new CampaignScenes(byName, StorePlace.ofProcess());
     }
 
-    /** The same scenes, with their prepared sites kept elsewhere. */
+    /** These scenes, with their prepared sites kept elsewhere. */
     public CampaignScenes withStore(StorePlace other) {
         return new CampaignScenes(byName, other);
     }

@@ -7,7 +7,7 @@ public interface CaseExecution {
     CaseExecution HERE = CampaignRun::run;
 
     /**
-     * Runs what is missing.
+     * Runs the cases whose results have not been kept.
      *
      * @param run what is to be run
      * @param kept where chunks are kept; it is used by one thread at a time, and not after this method returns

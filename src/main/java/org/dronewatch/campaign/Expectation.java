@@ -17,7 +17,7 @@ import org.dronewatch.statistics.Proportion;
  * is the 95 % confidence interval or, for the probability that decided how many cases were run, the one that the rule
  * guarantees.
  *
- * @param of the outcome whose probability is meant
+ * @param of the outcome to whose probability the limit applies
  * @param variant the variant; the first by default
  * @param low the limit: the smallest lower bound that meets the expectation
  */

@@ -13,7 +13,7 @@ import org.dronewatch.campaign.sensitivity.MorrisEstimate;
 import org.dronewatch.campaign.sensitivity.SobolEstimate;
 import org.dronewatch.campaign.sensitivity.SobolIndex;
 
-/** How much each setting that varies, and chance, contribute to the variation of a result. For one thread. */
+/** How much each setting that varies, and chance, contribute to the variation of a result. For use by one thread. */
 public final class Sensitivity {
     private final SensitivityCases cases;
     private final Map<Integer, double[]> groups = new TreeMap<>();

@@ -16,7 +16,7 @@ import org.dronewatch.setting.InputException;
  * compared with that of the settings.
  */
 public final class SensitivityCases implements Cases {
-    /** The path that stands for chance. */
+    /** The path that represents chance. */
     public static final String CHANCE = "run.seed";
 
     private static final String FIRST = "sensitivity first";

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.dronewatch.campaign.outcome.CampaignSummary;
 import org.dronewatch.campaign.outcome.CaseResult;
 
-/** The results of a campaign whose cases are not kept: they are summarised as they arrive. For one thread. */
+/** The results of a campaign whose cases are not kept: they are summarised as they arrive. For use by one thread. */
 public final class SummedCases implements CampaignRun.Chunks {
     private final CampaignSummary summary;
     private final Stopping stopping;
@@ -24,7 +24,7 @@ public final class SummedCases implements CampaignRun.Chunks {
         return Optional.empty();
     }
 
-    /** Chunks arrive in order, since the outcomes may decide how many there are. */
+    /** {@inheritDoc} Chunks must arrive in order, since the outcomes may decide how many there are. */
     @Override
     public void put(int chunk, List<CaseResult> results) {
         if (chunk != next) {

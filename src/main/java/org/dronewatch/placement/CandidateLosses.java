@@ -20,14 +20,14 @@ public final class CandidateLosses {
      * The losses of some candidates.
      *
      * @param names of the candidates
-     * @param conditions with what each needs one of
+     * @param conditions state which candidates need at least one of certain others
      */
     public CandidateLosses(List<String> names, PlacementConditions conditions) {
         this.names = List.copyOf(names);
         this.needs = conditions.needsOneOf();
     }
 
-    /** The chosen candidates that still work without one of them, by their numbers, in the same order. */
+    /** The chosen candidates that still work without the lost one, by their numbers, in the same order. */
     public List<Integer> remaining(List<Integer> chosen, Integer lost) {
         List<Integer> remaining = new ArrayList<>(chosen);
         remaining.remove(lost);
@@ -41,7 +41,7 @@ public final class CandidateLosses {
         return remaining;
     }
 
-    /** The names of the other chosen candidates that stop working without one of them. */
+    /** The names of the other chosen candidates that stop working without the lost one. */
     public List<String> idle(List<Integer> chosen, Integer lost) {
         List<Integer> remaining = remaining(chosen, lost);
         return chosen.stream()

@@ -120,7 +120,7 @@ public final class CandidateTable {
         return weights.length;
     }
 
-    /** What a candidate contributes. */
+    /** What a candidate contributes to each row. */
     public CandidateColumn column(int candidate) {
         return columns.get(candidate);
     }

@@ -11,8 +11,8 @@ public enum PlacementObjective {
      */
     COVERED_WEIGHT(true),
     /**
-     * The same sum over each group of rows, such as the cells under one weather condition: the least of these sums is
-     * made as great as possible.
+     * The greatest possible value of the least covered weight of any group of rows, such as the cells under one weather
+     * condition. The sum over a group is that of {@link #COVERED_WEIGHT}.
      */
     LEAST_COVERED_WEIGHT(true),
     /**
@@ -27,7 +27,7 @@ public enum PlacementObjective {
     MEAN_IMPACT(false),
     /** The least possible value of the greatest impact in any row, whatever the weights: the p-centre. */
     WORST_IMPACT(false),
-    /** The sum of values in the row where it is least, whatever the weights, made as great as possible. */
+    /** The greatest possible value of the least sum of values in any row, whatever the weights. */
     WEAKEST_ROW(true);
 
     private final boolean isGreatest;

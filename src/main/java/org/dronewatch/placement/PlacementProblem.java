@@ -9,7 +9,7 @@ import java.util.Set;
 
 /** Candidates, an objective, and conditions. Immutable; thread-safe. */
 public final class PlacementProblem {
-    /** The greatest probability that counts. */
+    /** The value at which probabilities are capped. */
     public static final double CERTAIN = 1.0 - 1e-6;
 
     /** Sums of costs may exceed the budget by this fraction, to allow for rounding. */
@@ -157,7 +157,7 @@ public final class PlacementProblem {
                 .toList();
     }
 
-    /** Which part of a layout still works after a loss. */
+    /** What determines which part of a layout still works after a loss. */
     public CandidateLosses losses() {
         return losses;
     }

@@ -5,8 +5,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
 /**
- * When searches that share it end before they are complete: once they have taken some time together, or the user asks
- * them to stop. A search that has no layout by then may go on for a few seconds more. Thread-safe.
+ * Decides when searches that share it end before they are complete: once they have taken some time together, or the
+ * user asks them to stop. A search that has no layout by then may go on for a few seconds more. Thread-safe.
  */
 public final class SearchEnd {
     /** How long a search without any layout may go on, s. */

@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
  *
  * @param gap the search ends once value and bound differ by at most this fraction of the value, 0 to 1; 0 to prove that
  *     the layout is the best
- * @param end when it ends without that; what it has found by then depends on the machine
+ * @param end when the search ends without having reached the gap; what it has found by then depends on the machine
  */
 public record SolverLimits(double gap, SearchEnd end) {
     /** No limits: the search ends once the layout is proven to be the best. */
@@ -27,7 +27,8 @@ public record SolverLimits(double gap, SearchEnd end) {
     /**
      * Limits whose time starts with the first search that uses them, or uses copies of them with another gap.
      *
-     * @param gap as above
+     * @param gap the largest difference between value and bound at which a search ends, as a fraction of the value, 0
+     *     to 1
      * @param seconds time that all these searches may take together, s, above 0; infinite for no limit
      * @param isStopped queried repeatedly, from any thread; whether the user has asked the searches to stop
      */
@@ -43,9 +44,9 @@ public record SolverLimits(double gap, SearchEnd end) {
     /**
      * Why a search has found no layout.
      *
-     * @param impossible what to throw if none complies with the conditions
-     * @return that or, if the search ended before it could know, a {@link CancellationException} for the user's request
-     *     and an {@link InputException} for the time limit
+     * @param impossible supplies the exception for the case that no layout complies with the conditions
+     * @return that exception or, if the search ended before this could be known, a {@link CancellationException} for
+     *     the user's request and an {@link InputException} for the time limit
      */
     public RuntimeException none(Supplier<? extends RuntimeException> impossible) {
         if (end.isStopped()) {

@@ -24,7 +24,7 @@ public final class RayPaths {
     /** A ray segment in the world's frame, and its level. */
     private record Piece(double[] ends, double level) {}
 
-    /** The same file on every system. */
+    /** A line feed on every system, so that the file is the same. */
     private static final String LINE = "\n";
 
     private final Map<String, List<Piece>> groups = new LinkedHashMap<>();

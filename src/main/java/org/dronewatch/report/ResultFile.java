@@ -34,7 +34,7 @@ public final class ResultFile {
         return root;
     }
 
-    /** Where on earth the scene lies, if it is known. */
+    /** The geographic position of the scene's origin, if it is known. */
     void addOrigin(ObjectNode root) {
         result.runs()
                 .get(0)

@@ -238,7 +238,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         return result.complete() ? looks.ofRun(result.runs().get(0).run()).map(RunLooks::stage) : Optional.empty();
     }
 
-    /** Writes the maps if the scene has an origin on earth; returns stale files of an earlier run. */
+    /** Writes the maps if the scene has a geographic origin; returns stale files of an earlier run. */
     private List<String> writeMaps(SceneResult result, Stage stage) throws IOException {
         Optional<SiteMap> map = SiteMap.of(result, stage);
         if (map.isEmpty()) {

@@ -3,7 +3,7 @@ package org.dronewatch.route;
 import org.dronewatch.analysis.field.DetectionField;
 
 /**
- * The eight cells of a detection field between whose middles a point lies, and what each contributes to a trilinear
+ * The eight cells of a detection field between whose centres a point lies, and what each contributes to a trilinear
  * interpolation there. Cells in which a drone cannot be contribute nothing, and the others proportionally more. For one
  * thread.
  */

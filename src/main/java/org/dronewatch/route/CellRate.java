@@ -3,10 +3,10 @@ package org.dronewatch.route;
 import org.dronewatch.analysis.cell.ProbabilityStep;
 
 /**
- * The rate at which one sensor detects a drone with one motion at positions near the middle of one cell. If the sensor
+ * The rate at which one sensor detects a drone with one motion at positions near the centre of one cell. If the sensor
  * rejects low radial speeds, the rate follows from the fraction of the drone's signal that passes in flight: it lies
  * between the rates on two courses of the cell, one on which no more passes and one on which no less does; of several
- * on which the same fraction passes, that with the nearest heading is taken. For one thread.
+ * on which the same fraction passes, that with the nearest heading is taken. For use by one thread.
  */
 final class CellRate {
     /** A fraction below this counts like this one if more passes on the next course; as a power of ten. */
@@ -21,7 +21,7 @@ final class CellRate {
     /** By course, the step of the probability. */
     private final int[] steps;
 
-    /** By course, the fraction that passes in the middle of the cell. */
+    /** By course, the fraction that passes at the centre of the cell. */
     private final double[] passes;
 
     /** By course, the greater, the nearer its heading is to that of the drone. */

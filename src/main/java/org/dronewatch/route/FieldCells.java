@@ -6,8 +6,8 @@ import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.geometry.Position;
 
 /**
- * Where points lie between the middles of the cells of a detection field, in coordinates of the field: a point in the
- * middle of a cell has the numbers of its column, row and height. The ground is interpolated between the middles of the
+ * Where points lie between the centres of the cells of a detection field, in coordinates of the field: a point at the
+ * centre of a cell has the numbers of its column, row and height. The ground is interpolated between the centres of the
  * columns, and where there is none, it has its mean height. Points outside count as those at the edge. Immutable and
  * thread-safe.
  */
@@ -15,7 +15,7 @@ final class FieldCells {
     /** The shortest part of a leg, as a fraction of it: rounding errors at the boundaries of parts are smaller. */
     private static final double SHORTEST = 1e-9;
 
-    /** Points as near to the middle of a cell as this count as in the middle, in cells. */
+    /** Points as near to the centre of a cell as this count as at the centre, in cells. */
     private static final double NEAR = 1e-9;
 
     private final FieldGrid grid;
@@ -36,7 +36,7 @@ final class FieldCells {
                 .toArray();
     }
 
-    /** The column at an east coordinate, m; a fraction between two middles. */
+    /** The column at an east coordinate, m; a fraction between two centres. */
     double column(double x) {
         return snapped((x - grid.x(0)) / grid.cell(), grid.columns());
     }
@@ -64,7 +64,7 @@ final class FieldCells {
                 + v * ((1.0 - u) * ground(west, south) + u * ground(east, south));
     }
 
-    /** The height of the ground in the middle of a column, m. */
+    /** The height of the ground at the centre of a column, m. */
     double ground(int column, int row) {
         return ground[row * grid.columns() + column];
     }
@@ -84,7 +84,7 @@ final class FieldCells {
         return snapped(low + (above - heights[low]) / gap, heights.length);
     }
 
-    /** The number of the last of several middles that is not beyond a point, and has another one after it. */
+    /** The number of the last of several centres that is not beyond a point, and has another one after it. */
     static int lower(double at, int count) {
         return Math.max(0, Math.min(count - 2, (int) at));
     }
@@ -130,7 +130,7 @@ final class FieldCells {
     }
 
     /**
-     * Where a straight leg leaves the cuboid between the middles of eight cells in which it is.
+     * Where a straight leg leaves the cuboid between the centres of eight cells in which it is.
      *
      * @param after the fraction of the leg after which it does
      * @return a greater fraction, 1 at the end of the leg
@@ -145,7 +145,7 @@ final class FieldCells {
         return heights.length == 1 ? next : climbs(from, to, after, next);
     }
 
-    /** Where a coordinate, in cells from the middle of the first, next comes to the middle of one. */
+    /** Where a coordinate, in cells from the centre of the first, next comes to the centre of one. */
     private static double crossing(double begin, double change, double inside) {
         if (change == 0.0) {
             return Double.POSITIVE_INFINITY;
@@ -157,7 +157,7 @@ final class FieldCells {
 
     /**
      * Where a part of a leg first comes to one of the heights, at its end if to none. Since the ground is bilinear
-     * between four middles, the height above it is a quadratic function along the leg.
+     * between four centres, the height above it is a quadratic function along the leg.
      */
     private double climbs(Position from, Position to, double begin, double end) {
         double first = above(from, to, begin);
@@ -193,17 +193,17 @@ final class FieldCells {
         return other >= limit && other < least ? other : least;
     }
 
-    /** East coordinate of the middle of a column, m. */
+    /** East coordinate of the centre of a column, m. */
     double x(int column) {
         return grid.x(column);
     }
 
-    /** North coordinate of the middle of a row, m. */
+    /** North coordinate of the centre of a row, m. */
     double y(int row) {
         return grid.y(row);
     }
 
-    /** Height of the middle of a cell, m. */
+    /** Height of the centre of a cell, m. */
     double z(int level, int column, int row) {
         return ground(column, row) + heights[level];
     }

@@ -14,10 +14,10 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The rates of detection that follow from a detection field of single looks, in one mode of flight. In the middle of a
- * cell they are those of its {@link SensorRates}; between the middles of eight cells, which lie above the ground by two
- * of the field's heights, they are interpolated (trilinearly), so that a route gains nothing at the boundary of a cell
- * that no sensor sees. Where a drone cannot be, the rates are 0: no route leads there.
+ * The rates of detection that follow from a detection field of single looks, in one mode of flight. At the centre of a
+ * cell they are those of its {@link SensorRates}; between the centres of eight cells, at two neighbouring heights of
+ * the field above the ground, they are interpolated (trilinearly), so that a route gains nothing at the boundary of a
+ * cell that no sensor sees. Where a drone cannot be, the rates are 0: no route leads there.
  */
 public final class FieldExposure implements ExposureField {
     /** The value at which the probability of detection in a look is capped, so that all exposures are finite. */
@@ -105,7 +105,7 @@ public final class FieldExposure implements ExposureField {
                 : steady;
     }
 
-    /** {@inheritDoc} The leg is split where it passes from between some cells to between others. */
+    /** {@inheritDoc} The leg is split wherever it crosses from one set of eight cell centres to the next. */
     @Override
     public double mean(Position from, Position to, LegMotion motion, int number, double longest) {
         CellCorners corners = new CellCorners(field, cells);
@@ -121,7 +121,7 @@ public final class FieldExposure implements ExposureField {
     }
 
     /**
-     * The mean rate on a part of a leg that lies between the middles of the same cells.
+     * The mean rate on a part of a leg that lies between the centres of the same cells.
      *
      * @param finest the greatest fraction of the leg that is a piece where the rate depends on the position in the cell
      */
@@ -154,7 +154,7 @@ public final class FieldExposure implements ExposureField {
     }
 
     /**
-     * The dominant cause in the middle of a straight leg that lies in one cell: that of the sensor with the highest
+     * The dominant cause at the midpoint of a straight leg that lies in one cell: that of the sensor with the highest
      * probability; in a tie, the one that is nearest to a detection.
      */
     Cause cause(Position from, Position to) {
@@ -187,8 +187,8 @@ public final class FieldExposure implements ExposureField {
     }
 
     /**
-     * The least of the rates on all courses except hovering, in all cells that may contribute to the rate at a point of
-     * the box, and in which a drone can be.
+     * {@inheritDoc} It is the least of the rates on all courses except hovering, in all cells that may contribute to
+     * the rate at a point of the box, and in which a drone can be.
      */
     @Override
     public double least(Position low, Position high, int number) {

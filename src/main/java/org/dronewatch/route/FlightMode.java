@@ -28,10 +28,10 @@ public record FlightMode(Kind kind, double speed) {
     }
 
     /**
-     * All modes in which a drone can fly, in the order of their kinds; slowly only if a sensor rejects some radial
-     * speeds below its cruise speed.
+     * All modes in which a drone can fly, in the order of their kinds; slow flight is included only if a sensor rejects
+     * some radial speeds below the drone's cruise speed.
      *
-     * @param sensors the sensors that it has to pass
+     * @param sensors the sensors that the drone has to pass
      */
     public static List<FlightMode> of(DroneSettings drone, Collection<SensorSettings<?>> sensors) {
         List<FlightMode> modes = new ArrayList<>();

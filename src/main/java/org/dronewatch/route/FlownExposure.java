@@ -57,7 +57,9 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
         this(flights, bySensor, OptionalDouble.empty());
     }
 
-    /** The same with the probability that an alert comes early enough for a response, 0 to 1; empty if not known. */
+    /**
+     * This exposure with the probability that an alert comes early enough for a response, 0 to 1; empty if not known.
+     */
     public FlownExposure withAlertInTime(OptionalDouble probability) {
         return new FlownExposure(flights, bySensor, probability);
     }
@@ -89,7 +91,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
 
     /**
      * The probability of a detection up to a time, inclusive, if looks came so often that the moment at which the route
-     * begins did not matter, as the search assumes: by the mean exposure. 0 to 1.
+     * begins did not matter, as the search assumes; computed from the mean exposure, 0 to 1.
      *
      * @param until the last moment at which a detection counts, s since the start; it may be infinite
      */

@@ -16,7 +16,7 @@ public record ModeField(RouteMode mode, DetectionField field) {
         return new ModeField(RouteMode.powered(drone.flightLimits(), drone.speed()), field);
     }
 
-    /** Flight under power at another speed than the cruise speed, m/s. */
+    /** Flight under power at a speed other than the cruise speed, m/s. */
     public static ModeField slow(DetectionField field, DroneSettings drone, double speed) {
         return new ModeField(RouteMode.slow(drone.flightLimits(), speed), field);
     }

@@ -46,7 +46,7 @@ final class RadialResponse {
         return of(x, y, z, perDistance, motion.east(), motion.north(), motion.up());
     }
 
-    /** The same, with a reserve. */
+    /** The fraction of the signal that passes in flight, with a reserve, 0 to 1. */
     double inFlight(double x, double y, double z, LegMotion motion) {
         double perDistance = FASTER * perDistance(x, y, z);
         return of(x, y, z, perDistance, motion.east(), motion.north(), motion.up());

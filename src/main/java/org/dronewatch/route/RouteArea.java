@@ -17,7 +17,7 @@ public final class RouteArea {
     private RouteArea() {}
 
     /**
-     * The side of a square around the middle of the protected zone or, without one, around the mean position of the
+     * The side of a square around the centre of the protected zone or, without one, around the mean position of the
      * sensors. In each direction, the square extends for the distance to the farthest corner of the zones, plus the
      * distance that a drone covers during the response to a detection, plus 250 m, but not beyond the model of the
      * site.
@@ -38,7 +38,7 @@ public final class RouteArea {
         return 2.0 * Math.ceil(Math.min(wanted, Math.max(1.0, most)));
     }
 
-    /** The distance from the middle to the farthest corner of a protected zone, in plan view, m. */
+    /** The distance from the centre to the farthest corner of a protected zone, in plan view, m. */
     private static double zones(Protection protection, Position middle) {
         DoubleStream corners = protection.areas().stream()
                 .flatMap(area -> area.outline().stream())

@@ -28,7 +28,7 @@ public record RoutePoint(
                 isCorner && share == 0.0);
     }
 
-    /** The same point with another exposure so far. */
+    /** This point with another exposure so far. */
     RoutePoint withExposure(double other) {
         return new RoutePoint(time, distance, position, above, mode, other, isCorner);
     }

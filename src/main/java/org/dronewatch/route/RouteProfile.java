@@ -72,7 +72,7 @@ public record RouteProfile(List<RoutePoint> points) {
         return new RouteProfile(points);
     }
 
-    /** The same route as it is flown, for pictures: the exposure is the mean number of looks that detect the drone. */
+    /** This route as it is flown, for pictures: the exposure is the mean number of looks that detect the drone. */
     RouteProfile with(FlownExposure flown) {
         return new RouteProfile(points.stream()
                 .map(point -> point.withExposure(

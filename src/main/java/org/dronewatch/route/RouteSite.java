@@ -33,7 +33,7 @@ import org.dronewatch.world.World;
  * @param passage between which points it can fly straight
  * @param arrival where a route arrives between nodes
  * @param response time from a detection until the drone is stopped, s
- * @param middle of the protected zone or of the sensors, m
+ * @param middle centre of the protected zone, or mean position of the sensors, m
  * @param world the site itself
  */
 record RouteSite(
@@ -73,7 +73,7 @@ record RouteSite(
      *
      * @param modes at least one, with fields over the same grid, whose sensors do not matter
      * @param launch the area from which routes come; the edge if it is empty
-     * @param middle of the protected zone or of the sensors, m
+     * @param middle centre of the protected zone, or mean position of the sensors, m
      * @throws IllegalArgumentException if the drone cannot be where routes begin, or not where they end
      */
     static RouteSite of(

@@ -18,7 +18,7 @@ import org.dronewatch.route.search.WeakestRoute;
  *
  * @param routes the routes in the order of their sectors; sectors from which no route leads are left out
  * @param modes modes in which the drone flies, in the order of their numbers
- * @param target where the routes lead: the middle of the protected zone or, without one, the mean position of the
+ * @param target where the routes lead: the centre of the protected zone or, without one, the mean position of the
  *     sensors, m
  * @param response the time that a response takes, s; 0 if none is required
  * @param isComplete whether all sectors were searched
@@ -82,9 +82,9 @@ public record RouteSurvey(
     }
 
     /**
-     * The same routes, or some of them, once they have been flown.
+     * This survey with its routes, or some of them, once they have been flown.
      *
-     * @param isWhole whether these are all of the routes
+     * @param isWhole whether they are all of the routes
      */
     public RouteSurvey with(List<SectorRoute> flown, boolean isWhole) {
         return new RouteSurvey(flown, modes, target, response, isComplete && isWhole);

@@ -29,7 +29,9 @@ public record SectorRoute(
         Map<String, Double> bySensor,
         Map<Cause, Double> causes,
         Optional<FlownExposure> flown) {
-    /** The search misjudges a route if its probability of a detection differs from that of the flight by more. */
+    /**
+     * The search misjudges a route if its probability of a detection differs from that of the flight by more than this.
+     */
     public static final double MISJUDGED = 0.2;
 
     /** Probabilities below this count as 0, as in tables. */
@@ -41,7 +43,7 @@ public record SectorRoute(
         causes = Collections.unmodifiableMap(new LinkedHashMap<>(causes));
     }
 
-    /** The same route after every look along it has been assessed. */
+    /** This route after every look along it has been assessed. */
     public SectorRoute with(FlownExposure exposure) {
         return new SectorRoute(sector, route, searched, bySensor, causes, Optional.of(exposure));
     }
@@ -54,13 +56,13 @@ public record SectorRoute(
         return flown.map(searched::with).orElse(searched);
     }
 
-    /** The probability that the drone is detected on it, in time or not, 0 to 1. */
+    /** The probability that the drone is detected on the route, in time or not, 0 to 1. */
     public double detection() {
         return flown.map(looks -> looks.detection(Double.POSITIVE_INFINITY)).orElse(searched.detection());
     }
 
     /**
-     * The probability that it is detected early enough for a response, 0 to 1.
+     * The probability that the drone is detected early enough for a response, 0 to 1.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
@@ -86,13 +88,16 @@ public record SectorRoute(
         return inTime(response) - route.detection() > MISJUDGED;
     }
 
-    /** The same for all detections, in time or not. */
+    /**
+     * Whether the drone is detected, in time or not, with a probability that is more than 20 percentage points higher
+     * than the search expected.
+     */
     public boolean isUnderestimatedThroughout() {
         return detection() - searched.detection() > MISJUDGED;
     }
 
     /**
-     * Whether some of the drones on it are detected, but too late for a response.
+     * Whether some of the drones on the route are detected, but too late for a response.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
@@ -102,8 +107,8 @@ public record SectorRoute(
 
     /**
      * Whether a route from the sector on which the drone is less likely to be detected cannot be ruled out: the lower
-     * bound of the exposure allows a probability of a detection that counts that is more than 20 percentage points
-     * lower than as flown.
+     * bound of the exposure is so low that the probability of a timely detection could be more than 20 percentage
+     * points below that of the route as flown.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
@@ -130,12 +135,12 @@ public record SectorRoute(
         return flown.map(FlownExposure::bySensor).orElse(bySensor);
     }
 
-    /** The bearing of the middle of a sector, clockwise from north, rad. */
+    /** The bearing of the centre of the sector, clockwise from north, rad. */
     public double bearing() {
         return bearing(sector);
     }
 
-    /** The same for any sector, given by its number. */
+    /** The bearing of the centre of any sector, given by its number, clockwise from north, rad. */
     public static double bearing(int sector) {
         return 2.0 * Math.PI * sector / SiteRoutes.SECTORS;
     }

@@ -25,7 +25,7 @@ import org.dronewatch.sensor.SensorSettings;
  *
  * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds
  * states what fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
- * heading on which the same fraction passes in the middle of the cell, or between those on which less and more of it
+ * heading on which the same fraction passes at the centre of the cell, or between those on which less and more of it
  * does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
  */
 final class SensorRates {
@@ -168,7 +168,10 @@ final class SensorRates {
         return response.orElseThrow().of(x, y, z, motion);
     }
 
-    /** The same, with a reserve, so that rounding does not make a drone visible at the end of a leg. */
+    /**
+     * The fraction that {@link #passing} gives, with a reserve, so that rounding does not make a drone visible at the
+     * end of a leg.
+     */
     double passingInFlight(double x, double y, double z, LegMotion motion) {
         return response.orElseThrow().inFlight(x, y, z, motion);
     }

@@ -13,7 +13,7 @@ import org.dronewatch.fusion.Protection;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.RouteGrid;
 
-/** The nodes of a site, one in the middle of each cell of its field, and those at which routes begin and end. */
+/** The nodes of a site, one at the centre of each cell of its field, and those at which routes begin and end. */
 final class SiteNodes {
     private final RouteGrid grid;
 
@@ -105,8 +105,8 @@ final class SiteNodes {
     }
 
     /**
-     * How near a route has to come to the protected zone, or in plan view to the middle of the sensors, m: into it,
-     * where a node is in it; otherwise to within one cell's length.
+     * How near a route has to come to the protected zone, or in plan view to the mean position of the sensors, m: into
+     * it, where a node is in it; otherwise to within one cell's length.
      */
     double reach(Protection protection, Position middle) {
         boolean isEntered =
@@ -114,7 +114,9 @@ final class SiteNodes {
         return isEntered ? 0.0 : grid.spacing();
     }
 
-    /** The open nodes within a distance of the protected zone, or in plan view of the middle of the sensors, m. */
+    /**
+     * The open nodes within a distance of the protected zone, or in plan view of the mean position of the sensors, m.
+     */
     BitSet near(Protection protection, Position middle, double distance) {
         return open(node -> distance(protection, middle, grid.position(node)), distance);
     }
@@ -157,7 +159,7 @@ final class SiteNodes {
 
     /**
      * The nodes of all cubes in which a route may end because it comes within a distance of the protected zone or, in
-     * plan view, of the middle of the sensors, m.
+     * plan view, of the mean position of the sensors, m.
      */
     BitSet ends(Protection protection, Position middle, double distance) {
         BitSet ends = new BitSet();

@@ -34,10 +34,10 @@ import org.dronewatch.sensor.Cause;
 /**
  * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at any of the
  * field's heights up to the drone's ceiling, to the protected zone or, without one, to the mean position of the
- * sensors. A route is complete when it reaches the zone. If the zone contains the middle of no cell, a route is
- * complete within one cell's length of the zone; if there is no zone, within one cell's length, in plan view, of the
- * mean position of the sensors, at the height nearest to theirs. Routes pass through nothing solid. For one thread at a
- * time.
+ * sensors. A route is complete when it reaches the zone. If the zone contains no cell centre, a route is complete
+ * within one cell's length of the zone; if there is no zone, within one cell's length, in plan view, of the mean
+ * position of the sensors, at the height nearest to theirs. Routes pass through nothing solid. For use by one thread at
+ * a time.
  */
 public final class SiteRoutes {
     /** The number of sectors from which routes come: the first is centred on north, the others follow clockwise. */
@@ -139,7 +139,7 @@ public final class SiteRoutes {
      * is less exposed.
      *
      * @param routes as found {@linkplain #from from each sector}
-     * @return as many, in the same order
+     * @return one route for each of them, in the same order
      */
     public List<WeakestRoute> joined(List<WeakestRoute> routes) {
         return JoinedRoutes.of(this.routes, routes, startsLike(routes), endurance::allows);
@@ -170,8 +170,8 @@ public final class SiteRoutes {
      * @param sectors for which to search, among those of the routes
      * @param more what else the drone is exposed to; it does not count in the exposure of the result
      * @return by sector, the weakest route of this search, with the exposure as far as a detection counts; if it takes
-     *     too long, faster versions of it instead: one is flown faster where that costs the least exposure, the other
-     *     first of all where a detection comes too late. Empty for sectors without a route that is short enough
+     *     too long, faster versions of it: one speeds up where this adds the least exposure, the other speeds up first
+     *     where a detection comes too late. Empty for sectors without a route that is short enough
      */
     public Map<Integer, List<WeakestRoute>> throughout(
             Map<Integer, WeakestRoute> routes, Set<Integer> sectors, ExposureField more) {
@@ -240,7 +240,7 @@ public final class SiteRoutes {
                 .flatMap(route -> endurance.allows(route) ? Optional.of(route) : endurance.from(starts, route));
     }
 
-    /** Where the routes lead: the middle of the zone or, without one, the mean position of the sensors, m. */
+    /** Where the routes lead: the centre of the zone or, without one, the mean position of the sensors, m. */
     public Position target() {
         return middle;
     }

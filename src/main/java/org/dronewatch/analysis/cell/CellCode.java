@@ -7,7 +7,7 @@ import org.dronewatch.sensor.Cause;
  * its cause, and its {@link MarginCode margin}.
  */
 public final class CellCode {
-    /** The bytes of a number. */
+    /** The size of a code, bytes. */
     public static final int BYTES = 3;
 
     private static final Cause[] CAUSES = Cause.values();
@@ -18,27 +18,27 @@ public final class CellCode {
 
     private CellCode() {}
 
-    /** The number for the step of a probability, a cause, and a {@link MarginCode}. */
+    /** The code for the step of a probability, a cause, and a {@link MarginCode}. */
     public static int of(int step, Cause cause, int margin) {
         return step | cause.ordinal() << CAUSE_SHIFT | margin << MARGIN_SHIFT;
     }
 
-    /** The {@link ProbabilityStep step} of the probability. */
+    /** The {@link ProbabilityStep step} of the probability in a code. */
     public static int step(int code) {
         return code & STEP_BITS;
     }
 
-    /** The cause. */
+    /** The cause in a code. */
     public static Cause cause(int code) {
         return CAUSES[code >> CAUSE_SHIFT & CAUSE_BITS];
     }
 
-    /** The margin. */
+    /** The margin in a code. */
     public static Margin margin(int code) {
         return MarginCode.margin(code >> MARGIN_SHIFT);
     }
 
-    /** Whether a number that is not negative is such a code. */
+    /** Whether a non-negative number is a valid code. */
     public static boolean isPossible(int code) {
         return (code >> CAUSE_SHIFT & CAUSE_BITS) < CAUSES.length
                 && code >> MARGIN_SHIFT + MarginCode.BITS == 0

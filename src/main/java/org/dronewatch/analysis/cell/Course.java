@@ -12,7 +12,7 @@ import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * How a drone flies through a cell: level and nose first, at its cruise speed or another one; or it hovers, or glides
+ * How a drone flies through a cell: level and nose first, at its cruise speed or another speed; or it hovers, or glides
  * down.
  *
  * @param kind what determines the heading
@@ -75,7 +75,7 @@ public record Course(
     }
 
     /**
-     * The same courses, without hovering, at another speed.
+     * The courses of {@link #all} without hovering, at a given speed.
      *
      * @param sensors by name
      * @param speed above 0, m/s
@@ -85,8 +85,8 @@ public record Course(
     }
 
     /**
-     * The same courses, without hovering, with the motors off and long since cold: the drone descends at its best glide
-     * ratio.
+     * The courses of {@link #all} without hovering, with the motors off and long since cold: the drone descends at its
+     * best glide ratio.
      *
      * @param sensors by name
      * @throws IllegalArgumentException if the drone cannot glide
@@ -104,7 +104,7 @@ public record Course(
                 .toList();
     }
 
-    /** The same course with another point from or to which its heading is measured, m. */
+    /** This course with another point from or to which its heading is measured, m. */
     public Course about(Position other) {
         return new Course(kind, angle, other, sensor, glide, speed);
     }
@@ -114,7 +114,10 @@ public record Course(
         return new Course(Kind.INBOUND, 0.0, target, Optional.empty());
     }
 
-    /** The first of several courses that has, at every place, the same heading as one of them, given by its number. */
+    /**
+     * The number of the first course that has the same fixed heading as the course with the given number; that number
+     * itself if none before it has.
+     */
     public static int firstOnSameHeading(List<Course> courses, int number) {
         Course course = courses.get(number);
         int first = 0;

@@ -25,24 +25,24 @@ public final class FieldColumns {
     private final double[] ground;
     private final byte[] kinds;
 
-    /** Where the columns are. */
+    /** The positions of the columns, and the heights of their cells. */
     public interface Plan {
         /** The east coordinate of a column, m. */
         double x(int column, int row);
 
-        /** Its north coordinate, m. */
+        /** The north coordinate of a column, m. */
         double y(int column, int row);
 
-        /** The height above the ground of one of its cells, from the lowest, m; NaN for none. */
+        /** The height of a cell of a column above the ground, m, with levels counted from the lowest; NaN for none. */
         double above(int level, int column, int row);
 
-        /** Whether a column does not count, and is not looked at. */
+        /** Whether a column is outside the area that counts. */
         default boolean isOutside(int column, int row) {
             return false;
         }
     }
 
-    /** The columns of a grid, on the {@link Workers} of the calling thread. */
+    /** The columns of a grid, examined on the {@link Workers} of the calling thread. */
     public static FieldColumns of(World world, FieldGrid grid) {
         return square(world, grid, grid.heights().size(), (level, column, row) -> grid.heights()
                 .get(level));
@@ -83,7 +83,7 @@ public final class FieldColumns {
         return new FieldColumns(world, grid.columns(), grid.columns(), levels, square);
     }
 
-    /** Columns of several cells anywhere, on the {@link Workers} of the calling thread. */
+    /** Columns at any positions, with one or more cells each, examined on the {@link Workers} of the calling thread. */
     public FieldColumns(World world, int columns, int rows, int levels, Plan plan) {
         this.columns = columns;
         this.rows = rows;
@@ -126,7 +126,7 @@ public final class FieldColumns {
         };
     }
 
-    /** The same columns with only one of their levels. */
+    /** These columns with only one of their levels. */
     public FieldColumns at(int level) {
         return new FieldColumns(this, level);
     }
@@ -206,7 +206,7 @@ public final class FieldColumns {
         return kinds[index(height, column, row)] == OPEN;
     }
 
-    /** The middle of a cell, m; over ground only. */
+    /** The centre of a cell, m; over ground only. */
     public Position middle(int height, int column, int row) {
         return new Position(
                 plan.x(column, row), plan.y(column, row), ground(column, row) + plan.above(height, column, row));

@@ -8,10 +8,10 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Square columns of air over a site, with a cell at each of several heights: values hold for the middle of a column.
+ * Square columns of air over a site, with a cell at each of several heights: values hold for the centre of a column.
  *
- * @param east east coordinate of the middle, -100 to 100 km, m
- * @param north north coordinate of the middle, -100 to 100 km, m
+ * @param east east coordinate of the centre, -100 to 100 km, m
+ * @param north north coordinate of the centre, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
  * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
  * @param heights heights above the ground, in ascending order, each at least 1 mm above the ground and the height
@@ -62,7 +62,7 @@ public record FieldGrid(
     /** A property that a cell may have. */
     @FunctionalInterface
     public interface CellTest {
-        /** Whether a cell has it, given by its column from the west and its row from the north. */
+        /** Whether a cell, given by its column from the west and its row from the north, has the property. */
         boolean isTrue(int column, int row);
     }
 
@@ -86,7 +86,7 @@ public record FieldGrid(
     }
 
     /**
-     * A grid around the given middle, all of whose cells count.
+     * A square grid around the given centre, all of whose cells count.
      *
      * @throws IllegalArgumentException if a value is out of range, or a cell is longer than the side
      */
@@ -106,9 +106,9 @@ public record FieldGrid(
     }
 
     /**
-     * The given heights above the ground, m, if a grid may have them.
+     * Checks that a grid may have the given heights above the ground, m, and returns them.
      *
-     * @throws IllegalArgumentException if not
+     * @throws IllegalArgumentException if it may not have them
      */
     public static List<Double> checkedHeights(List<Double> heights) {
         if (heights.isEmpty() || heights.size() > MOST_HEIGHTS) {
@@ -168,12 +168,12 @@ public record FieldGrid(
         return cell / columns();
     }
 
-    /** The same grid with only its lowest heights. */
+    /** This grid with only its lowest heights. */
     public FieldGrid lowest(int count) {
         return new FieldGrid(east, north, side, cell, heights.subList(0, count), area);
     }
 
-    /** Whether the middle of a column is outside the area that counts. */
+    /** Whether the centre of a column is outside the area that counts. */
     public boolean isOutside(int column, int row) {
         return area.isPresent() && !area.get().covers(x(column), y(row));
     }
@@ -183,12 +183,12 @@ public record FieldGrid(
         return cell * cell;
     }
 
-    /** East coordinate of the middle of a column, counted from the west, m. */
+    /** East coordinate of the centre of a column, counted from the west, m. */
     public double x(int column) {
         return east + (column + 0.5 - 0.5 * columns()) * cell;
     }
 
-    /** North coordinate of the middle of a row, counted from the north, m. */
+    /** North coordinate of the centre of a row, counted from the north, m. */
     public double y(int row) {
         return north - (row + 0.5 - 0.5 * columns()) * cell;
     }

@@ -20,11 +20,11 @@ public record FieldTerms(
         Turning pointing, @In(value = Quantity.DURATION, above = 0, to = 86_400) Optional<Double> within) {
     /** How sensors on positioners point. */
     public enum Turning {
-        /** They have turned to the drone, and zoomed in. */
+        /** Sensors on positioners have turned to the drone, and zoomed in. */
         CUED,
         /**
-         * They search, or are at rest: their probability of detection is the mean over one period of the search, in
-         * which the look, or the time that they have, may begin at any moment.
+         * Sensors on positioners search, or are at rest: their probability of detection is the mean over one period of
+         * the search, in which the look, or the time that they have, may begin at any moment.
          */
         SEARCH
     }
@@ -53,7 +53,7 @@ public record FieldTerms(
         return new FieldTerms(other, within);
     }
 
-    /** The whole looks that a sensor has, 0 or more; 1 without a time. */
+    /** The number of whole looks that a sensor takes within the time, 0 or more; 1 if there is no time. */
     public long looks(SensorSettings<?> sensor) {
         return within.map(seconds -> (long) Math.floor(seconds * sensor.rate() + ROUNDING))
                 .orElse(1L);
@@ -62,9 +62,9 @@ public record FieldTerms(
     /**
      * The probability that a sensor detects a drone that stays where it is, if all its looks have the same probability
      * p: in one look, p; in the n whole looks within a time {@code 1 - (1 - p)^n}. Where chance decides once per
-     * encounter, it is that of an observer drawn at random who searches for as long as these looks take, n intervals
-     * between two of them: {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}. For a sensor that searches,
-     * whose looks differ, see {@link LookWindow}.
+     * encounter, it is that of an observer drawn at random who searches for as long as these looks take, that is, n
+     * intervals between looks: {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}. For a sensor that
+     * searches, whose looks differ, see {@link LookWindow}.
      *
      * @param look probability of a look, 0 to 1
      * @return 0 and 1 only where they are exact
@@ -87,14 +87,15 @@ public record FieldTerms(
         return Math.max(Double.MIN_VALUE, detected);
     }
 
-    /** How finely a field resolves the probability of a look. */
+    /** How finely a field resolves the probability of a look of a sensor. */
     public ProbabilityResolution resolution(SensorSettings<?> sensor) {
         boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
         return ProbabilityResolution.upTo(isAnyAlike ? ProbabilityStep.probability(ProbabilityStep.CERTAIN - 1) : 1.0);
     }
 
     /**
-     * The same if it only matters whether the probability on these terms reaches a step.
+     * How finely a field resolves the probability of a look of a sensor if all that matters is whether the probability
+     * on these terms reaches a step.
      *
      * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
      */

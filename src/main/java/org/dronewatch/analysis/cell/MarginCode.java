@@ -5,16 +5,16 @@ package org.dronewatch.analysis.cell;
  * keeps its sign: a margin just below 0 is not rounded to 0. A value that is too large for the bits becomes a bound.
  */
 public final class MarginCode {
-    /** The bits of a number. */
+    /** The size of a code, bits. */
     public static final int BITS = 12;
 
     /** Steps of a value. */
     static final int PER_DB = 10;
 
-    /** Nothing is known. */
+    /** The code for a margin of which nothing is known. */
     public static final int NOTHING = 0;
 
-    /** There is no signal. */
+    /** The code for the absence of a signal. */
     public static final int NO_SIGNAL = 1;
 
     private static final int MOST = 511;
@@ -25,7 +25,7 @@ public final class MarginCode {
 
     private MarginCode() {}
 
-    /** The number for a margin, dB. */
+    /** The code for a margin, dB. */
     public static int of(double db) {
         if (Double.isNaN(db) || db == Double.NEGATIVE_INFINITY) {
             return Double.isNaN(db) ? NOTHING : NO_SIGNAL;
@@ -37,13 +37,13 @@ public final class MarginCode {
         return code(VALUE, (int) tenths);
     }
 
-    /** The number for a margin that is at least this, dB. */
+    /** The code for a margin of at least the given value, dB. */
     public static int atLeast(double db) {
         double tenths = PER_DB * Math.floor(db);
         return tenths >= -MOST ? code(AT_LEAST, (int) Math.min(MOST, tenths)) : NOTHING;
     }
 
-    /** The number for a margin that is at most this, dB. */
+    /** The code for a margin of at most the given value, dB. */
     public static int atMost(double db) {
         if (db == Double.NEGATIVE_INFINITY) {
             return NO_SIGNAL;
@@ -53,9 +53,10 @@ public final class MarginCode {
     }
 
     /**
-     * The number for a margin between two, dB: their value if both have the same, otherwise the tighter bound.
+     * The code for a margin between two bounds, dB: that of both if they have the same, otherwise a code for one of
+     * them.
      *
-     * @param isDetected whether the drone is detected: then the lower bound says more
+     * @param isDetected whether the drone is detected: then the lower bound is kept, otherwise the upper one
      */
     public static int between(double least, double greatest, boolean isDetected) {
         int lowest = of(least);
@@ -66,7 +67,7 @@ public final class MarginCode {
         return kind | tenths + MOST;
     }
 
-    /** The margin that a number represents. */
+    /** The margin that a code represents. */
     public static Margin margin(int code) {
         double db = (double) ((code & TENTHS) - MOST) / PER_DB;
         return switch (code & ~TENTHS) {
@@ -77,7 +78,7 @@ public final class MarginCode {
         };
     }
 
-    /** Whether a number of twelve bits is such a code. */
+    /** Whether a number of twelve bits is a valid code. */
     public static boolean isPossible(int code) {
         return code < VALUE ? code <= NO_SIGNAL : (code & TENTHS) <= 2 * MOST;
     }

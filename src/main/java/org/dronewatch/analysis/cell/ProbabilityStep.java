@@ -34,12 +34,12 @@ public final class ProbabilityStep {
         return step;
     }
 
-    /** The probability that results state: that for which a step stands, but at least 1/250 unless it is 0. */
+    /** The probability that results state for a step: the one that it represents, but at least 1/250 unless it is 0. */
     public static double stated(int step) {
         return probability(step == 0 ? 0 : Math.max(SMALL + 1, step));
     }
 
-    /** The probability for which a step stands. */
+    /** The probability that a step represents. */
     public static double probability(int step) {
         if (step == 0 || step > SMALL) {
             return (double) Math.max(0, step - SMALL) / EVEN;

@@ -122,12 +122,12 @@ public final class DetectableHeights {
         return gaps[grid.cell(column, row)];
     }
 
-    /** The largest such gap in any column, m. */
+    /** The largest {@linkplain #coveredAgainGap gap between covered heights} in any column, m; 0 if there is none. */
     public double largestGap() {
         return Arrays.stream(gaps).max().orElse(0.0);
     }
 
-    /** The number of columns that have such a gap. */
+    /** The number of columns that have a {@linkplain #coveredAgainGap gap between covered heights}. */
     public int coveredAgain() {
         return (int) Arrays.stream(gaps).filter(gap -> gap > 0.0).count();
     }

@@ -50,7 +50,7 @@ public final class DetectionField {
         return unassessed(asked, FieldColumns.of(asked.stage().world(), asked.grid()), store, progress);
     }
 
-    /** The same in the cells of this field. */
+    /** A field of a request in the cells of this field, in which nothing has been assessed yet. */
     DetectionField unassessedLikeThis(FieldRequest asked, LayerStore another, IntConsumer progress) {
         if (!asked.grid().equals(grid)) {
             throw new IllegalArgumentException("a field of other cells");
@@ -88,8 +88,7 @@ public final class DetectionField {
     }
 
     /**
-     * The field of the same scene without one of its sensors, and without the courses across the line of sight of that
-     * sensor.
+     * This field without one of its sensors, and without the courses across the line of sight of that sensor.
      *
      * @throws IllegalArgumentException when there is no such sensor
      */
@@ -97,7 +96,7 @@ public final class DetectionField {
         return new DetectionField(grid, columns, all.without(sensor), store);
     }
 
-    /** The same without several of its sensors. */
+    /** This field without several of its sensors, and without the courses across their lines of sight. */
     public DetectionField without(Collection<String> sensors) {
         DetectionField rest = this;
         for (String sensor : sensors) {
@@ -177,7 +176,7 @@ public final class DetectionField {
         return all.probe(sensor).settings().kind();
     }
 
-    /** Where a sensor, given by its number, is, m. */
+    /** The position of a sensor, given by its number, m. */
     public Position position(int sensor) {
         return all.probe(sensor).settings().position();
     }
@@ -216,7 +215,7 @@ public final class DetectionField {
     }
 
     /**
-     * The middle of a cell, m.
+     * The centre of a cell, m.
      *
      * @throws IllegalArgumentException where there is no ground
      */
@@ -241,7 +240,10 @@ public final class DetectionField {
         return all.step(sensor, height, column, row, course);
     }
 
-    /** The same as a number from 0 to 1, in steps of 1/250; less, unless it is 0, counts as 1/250. */
+    /**
+     * The probability that a sensor detects the drone on the terms of the field, 0 to 1, in steps of 1/250; values
+     * between 0 and 1/250 are given as 1/250. Arguments as for {@link #step}.
+     */
     public double probability(int sensor, int height, int column, int row, int course) {
         return ProbabilityStep.stated(step(sensor, height, column, row, course));
     }
@@ -249,7 +251,7 @@ public final class DetectionField {
     /**
      * Whether a sensor covers a cell on a course: its {@linkplain #probability probability} is at least a given value.
      *
-     * @param covered that value, 0.008 to 0.996, or 1
+     * @param covered the value, 0.008 to 0.996, or 1
      * @throws IllegalArgumentException as for {@link FieldCoverage#checkedProbability}
      */
     public boolean covers(int sensor, int height, int column, int row, int course, double covered) {

@@ -13,9 +13,9 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 
 /**
- * One sensor's assessments at one height while it is moved: at first of one cell in each of a few large blocks, then
- * of one in each smaller block, then, in ever smaller ones, wherever neighbours differ, in the end of all cells. Cells
- * that are not assessed have the assessment of their block. For one thread, which may have {@link Workers}.
+ * One sensor's assessments at one height while it is moved: at first of one cell in each of a few large blocks, then of
+ * one in each smaller block, then, in ever smaller ones, wherever neighbours differ, in the end of all cells. Cells
+ * that are not assessed have the assessment of their block. For use by one thread, which may have {@link Workers}.
  */
 final class DraftLayer {
     private static final int NONE = -1;
@@ -126,7 +126,7 @@ final class DraftLayer {
     }
 
     /**
-     * Assesses the open cell that is nearest to the middle of a block, unless another one has been assessed; whether
+     * Assesses the open cell that is nearest to the centre of a block, unless another one has been assessed; whether
      * that was done.
      */
     private boolean assessBlock(LayerRow looks, int west, int north) {

@@ -45,7 +45,7 @@ public final class FieldAssessment {
         return of(asked, LayerStore.NONE, progress);
     }
 
-    /** The same in {@link FieldTerms#ONE_LOOK one look}. */
+    /** The field of a scene for {@link FieldTerms#ONE_LOOK one look}. */
     public static DetectionField of(
             SceneSettings settings,
             Stage stage,
@@ -57,7 +57,7 @@ public final class FieldAssessment {
     }
 
     /**
-     * The same, but only what has not been assessed before is assessed.
+     * The field of a request; only what is not yet in the store is assessed.
      *
      * @param asked the request; its choice of a course and the probability that counts as covered have no effect
      * @param store store of earlier assessments
@@ -67,8 +67,8 @@ public final class FieldAssessment {
     }
 
     /**
-     * The same in the cells of a field that was assessed before, possibly for other sensors: which cells are inside
-     * something solid is not determined again.
+     * The field of a request in the cells of a field that was assessed before, possibly for other sensors: which cells
+     * are inside something solid is not determined again.
      *
      * @param like a field of the same site and grid
      * @throws IllegalArgumentException when the grid differs
@@ -85,8 +85,8 @@ public final class FieldAssessment {
     }
 
     /**
-     * Like {@link #of}, but if this thread is interrupted, only with those heights at which all cells have been
-     * assessed; empty if there are none. Its interrupt status is kept.
+     * The field of a request; if this thread is interrupted, only with those heights at which all cells have been
+     * assessed, and empty if there are none. The interrupt status is kept.
      *
      * @param store store of earlier assessments
      */

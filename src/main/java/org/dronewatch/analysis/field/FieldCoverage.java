@@ -24,13 +24,13 @@ import org.dronewatch.setting.Quantity;
 public final class FieldCoverage {
     /** Which course counts. */
     public enum Choice {
-        /** The one on which the drone is least likely to be detected. */
+        /** The course on which the drone is least likely to be detected. */
         WORST,
-        /** The one on which it is most likely to be detected. */
+        /** The course on which the drone is most likely to be detected. */
         BEST
     }
 
-    /** The probability with which a sensor must detect the drone to cover a cell, unless another one is requested. */
+    /** The probability with which a sensor must detect the drone to cover a cell, unless another is requested. */
     public static final double DEFAULT_COVERED = 0.5;
 
     /**
@@ -250,7 +250,10 @@ public final class FieldCoverage {
                         sensor -> field.margin(sensor, height, column, row, course));
     }
 
-    /** The same by exact margins of all sensors, dB; there must be a sensor. */
+    /**
+     * The number of the sensor whose cause is the dominant one in a cell in which a drone can be, decided by the exact
+     * margins of all sensors, dB; there must be a sensor.
+     */
     public int deciding(int height, int column, int row, IntToDoubleFunction margins) {
         return Dominance.of(field.sensors().size(), ranks(height, column, row, courseAt(height, column, row)), margins);
     }

@@ -26,7 +26,7 @@ import org.dronewatch.sensor.SensorSettings;
  * #reduced}); and such signals of the other sensors stay as they were on the courses across the line of sight of a
  * moved one.
  *
- * <p>For one thread, which may have {@link Workers}; the result does not depend on their number.
+ * <p>For use by one thread, which may have {@link Workers}; the result does not depend on their number.
  */
 public final class FieldDraft {
     /** The blocks along a side of the first picture, at most. */

@@ -9,9 +9,9 @@ import org.dronewatch.scenario.SceneSettings;
 
 /** Which heading of the drone counts in a cell. */
 public enum FieldHeading {
-    /** The one on which the sensors together are least likely to detect it. */
+    /** The heading on which the sensors together are least likely to detect the drone. */
     WORST,
-    /** The one on which they are most likely to detect it. */
+    /** The heading on which the sensors together are most likely to detect the drone. */
     BEST,
     /** Towards the protected zone or, without one, towards the mean position of the sensors. */
     INBOUND;

@@ -15,7 +15,7 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * What is asked of a {@link FieldSurvey}.
+ * A request for a {@link FieldSurvey}.
  *
  * @param settings settings of one run
  * @param stage its world and drones

@@ -14,8 +14,8 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
 /**
- * What the sensors of a field detect at 4,096 places between the middles of its cells. The places are spread evenly
- * between the middles of the outermost columns, and lie between the lowest and the highest height: half of them in the
+ * What the sensors of a field detect at 4,096 places between the centres of its cells. The places are spread evenly
+ * between the centres of the outermost columns, and lie between the lowest and the highest height: half of them in the
  * lowest quarter of the levels, near the ground, where a drone finds something to hide behind. They are the points of
  * the additive sequence R3 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), the same for
  * every field of the same grid. Immutable.
@@ -76,7 +76,7 @@ public final class FieldSample {
     }
 
     /**
-     * The same places; the drone counts as undetected at a place where either sample says so.
+     * This sample combined with another: the drone counts as undetected at a place if it does so in either of them.
      *
      * @param other of a field of the same site and grid, such as for the same drone with its motors off
      * @throws IllegalArgumentException if the grids differ

@@ -68,7 +68,7 @@ final class FieldSensors {
     }
 
     /**
-     * The same sensors, assessed in other columns that have a single level.
+     * These sensors, assessed in other columns that have a single level.
      *
      * @param plan where the columns are
      * @param name the name under which stored assessments are found again
@@ -81,7 +81,7 @@ final class FieldSensors {
         return moved;
     }
 
-    /** The same sensors if nothing matters but whether they reach a step: from now on, only that is assessed. */
+    /** These sensors if all that matters is whether they reach a step: from now on, only that is assessed. */
     FieldSensors deciding(int needed) {
         Map<String, FieldProbe> others = new LinkedHashMap<>();
         probes.forEach((id, probe) -> others.put(id, probe.deciding(needed)));
@@ -93,7 +93,7 @@ final class FieldSensors {
         return new FieldSensors(courses, inLayers, Map.of(names.get(sensor), probe(sensor)), List.of(layers[sensor]));
     }
 
-    /** The same sensors at only one height, given by its number: as many courses as in their layers. */
+    /** These sensors at only one height, given by its number: as many courses as in their layers. */
     FieldSensors at(int height) {
         List<SensorLayer> there =
                 Arrays.stream(layers).map(layer -> layer.at(height)).toList();

@@ -10,7 +10,7 @@ import org.dronewatch.world.World;
  * the vertical plane through point and line that triangle is a segment, and all lines of sight between the blocked one
  * and the one over the higher end of that segment are blocked by it, too. So the height is raised to that line, and the
  * next ray is traced from there: no free height is passed over, and each triangle is met once. Keeps scratch memory:
- * one thread at a time. Allocates nothing per ray.
+ * for use by one thread at a time. Allocates nothing per ray.
  */
 final class HorizonClimb {
     /** By how much a line of sight passes above the edge that it clears, at the vertical line, m. */

@@ -71,7 +71,7 @@ record InboundFlights(Position target, double reach, double step, List<Double> h
         return new InboundFlights(target, distance, step, heights);
     }
 
-    /** The same, or, if any of them begins in a zone, those that begin beyond all zones. */
+    /** These flights or, if any of them begins in a zone, flights that begin beyond all zones. */
     private InboundFlights outside(Protection protection) {
         if (IntStream.range(0, BEARINGS).noneMatch(bearing -> protection.distance(at(reach, bearing)) == 0.0)) {
             return this;

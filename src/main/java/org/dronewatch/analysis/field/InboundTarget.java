@@ -14,7 +14,7 @@ public final class InboundTarget {
     private InboundTarget() {}
 
     /**
-     * The middle of the protected zone, m: of the sphere, if there is one, or of the first area. Without a zone, the
+     * The centre of the protected zone, m: of the sphere, if there is one, or of the first area. Without a zone, the
      * mean position of the enabled sensors.
      *
      * @throws InputException when there is neither a zone nor a sensor
@@ -30,7 +30,7 @@ public final class InboundTarget {
     }
 
     /**
-     * The middle of the area of a grid, m; without an area, the middle of the protected zone or, without a zone, the
+     * The centre of the area of a grid, m; without an area, the centre of the protected zone or, without a zone, the
      * mean position of the sensors.
      *
      * @throws InputException when there is neither an area, nor a zone, nor a sensor
@@ -40,7 +40,7 @@ public final class InboundTarget {
     }
 
     /**
-     * The middle of one of the protected zones, m.
+     * The centre of one of the protected zones, m.
      *
      * @param name an area, or {@link Protection#ZONE} for the sphere
      * @throws InputException when there is none of that name

@@ -28,7 +28,7 @@ import org.dronewatch.sensor.SoundTracing;
 
 /**
  * The warning that the sensors give of a drone that flies straight in, from every bearing and at several heights above
- * the ground, to the middle of the protected zone or, without one, to the mean position of the sensors, at its cruise
+ * the ground, to the centre of the protected zone or, without one, to the mean position of the sensors, at its cruise
  * speed. The drone is detected where a sensor covers it; it is assessed once per cell of its path, but not inside
  * something solid. If the terms give a sensor some time in which to detect it, the drone counts as detected that long
  * after the first point at which a sensor covers it. Immutable.
@@ -85,7 +85,7 @@ public record InboundWarnings(
     }
 
     /**
-     * The same, but only what has not been assessed before is assessed.
+     * The warnings of the enabled sensors of a scene; only what is not yet in the store is assessed.
      *
      * @param store store of earlier assessments
      */
@@ -102,7 +102,7 @@ public record InboundWarnings(
     }
 
     /**
-     * The same.
+     * The warnings of the enabled sensors of a scene, with signals that may be interpolated between cells.
      *
      * @param store store of earlier assessments, of the same grid
      * @param excess what is interpolated between cells in the area of the grid, by the name of a sensor

@@ -18,7 +18,10 @@ public final class Dominance {
 
     private Dominance() {}
 
-    /** A rank, which rises with the probability, given in steps, then as the cause comes nearer to a detection. */
+    /**
+     * The rank of a sensor: it rises with the probability, given in steps, and then with the nearness of the cause to a
+     * detection.
+     */
     public static int rank(int steps, Cause cause) {
         return steps << CAUSE_BITS | cause.ordinal();
     }
@@ -46,7 +49,10 @@ public final class Dominance {
         return first;
     }
 
-    /** The same if margins are not known exactly: empty where they do not suffice. */
+    /**
+     * The number of the sensor that decides, as {@link #of} gives it, where margins are not known exactly; empty if
+     * they do not suffice.
+     */
     public static OptionalInt certain(int sensors, IntUnaryOperator ranks, IntFunction<Margin> margins) {
         int best = of(sensors, ranks, sensor -> margins.apply(sensor).least());
         double least = margins.apply(best).least();

@@ -137,7 +137,7 @@ public final class ExcessSurvey {
         return positions;
     }
 
-    /** The middle of a cell, or a point somewhere between that and the next one below. */
+    /** The centre of a cell, or a point somewhere between that and the next one below. */
     private Position position() {
         int level;
         int column;

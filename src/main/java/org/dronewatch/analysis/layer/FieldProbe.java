@@ -33,13 +33,13 @@ import org.dronewatch.world.World;
  * @param world the site
  * @param drone the drone, anywhere
  * @param sensor name of the sensor
- * @param settings of the sensor
- * @param seed of the run, for sensors that trace random rays
- * @param courses of the drone
- * @param terms on which it counts as detected
+ * @param settings settings of the sensor
+ * @param seed seed of the run, for sensors that trace random rays
+ * @param courses courses of the drone
+ * @param terms terms on which the drone counts as detected
  * @param search where the sensor points while it searches; empty if it does not matter
- * @param assessor of the sensor; threads use its siblings
- * @param shortcuts what it may leave out
+ * @param assessor assessor of the sensor; threads use its siblings
+ * @param shortcuts what an assessment may leave out
  */
 public record FieldProbe(
         World world,
@@ -60,8 +60,8 @@ public record FieldProbe(
      * @param excess what is interpolated between cells; empty where each is assessed
      * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts,
      *     which is much faster, and never gives too strong a signal
-     * @param needed the step that the probability has to reach, if nothing else matters: where the sensor answers the
-     *     same on all courses, only whether it reaches it is then certain
+     * @param needed the step that the probability has to reach, if nothing else matters: where the result is the same
+     *     on all courses, it is then certain only whether the step is reached
      */
     public record Shortcuts(Optional<ExcessMap> excess, boolean isExactAlone, OptionalInt needed) {
         static final Shortcuts NONE = new Shortcuts(Optional.empty(), false, OptionalInt.empty());
@@ -93,7 +93,7 @@ public record FieldProbe(
         return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, others);
     }
 
-    /** This probe with what is interpolated between cells. */
+    /** This probe with, or without, what is interpolated between cells. */
     public FieldProbe with(Optional<ExcessMap> map) {
         return with(new Shortcuts(map, false, needed()));
     }
@@ -104,8 +104,8 @@ public record FieldProbe(
     }
 
     /**
-     * This probe if nothing matters but whether the probability reaches a step. It changes only sensors that trace
-     * sound: others take little longer for the whole answer, which can be kept for all steps.
+     * This probe if all that matters is whether the probability reaches a step. It makes a difference only for sensors
+     * that trace sound: others take little longer for the full answer, which can be kept for all steps.
      *
      * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
      */
@@ -140,7 +140,7 @@ public record FieldProbe(
         return assessor.sibling();
     }
 
-    /** The drone at a place, m, on a course given by its number. */
+    /** The drone at a position, m, on a course given by its number. */
     public Drone drone(Position at, int course) {
         return drone.at(state(at, course));
     }
@@ -174,7 +174,7 @@ public record FieldProbe(
         return Mounted.turnedTo(settings, at);
     }
 
-    /** Where the sensor points while the drone is at a place, m. */
+    /** Where the sensor points while the drone is at a position, m. */
     public CellPointings pointings(Position at) {
         return search.map(its -> its.at(at, drone.radius())).orElseGet(() -> CellPointings.always(pointing(at)));
     }
@@ -193,7 +193,7 @@ public record FieldProbe(
                 : assessCoarsely(assessor, there, pointing);
     }
 
-    /** The same without interpolation. */
+    /** The assessment of a drone, exact only to the steps of a {@link CellCode}, without interpolation. */
     Assessment assessCoarsely(Assessor assessor, Drone there, Optional<Pointing> pointing) {
         return assessor.assessCoarsely(there, pointing, rays(), resolution(assessor, there, pointing));
     }
@@ -237,7 +237,7 @@ public record FieldProbe(
         return look(pointings, pointing -> assessInSteps(assessor, there, pointing));
     }
 
-    /** A look with the assessment as it is. */
+    /** The result of the looks at a drone, not rounded to steps. */
     public CellLook look(Assessor assessor, Drone there, CellPointings pointings) {
         return look(pointings, pointing -> assess(assessor, there, pointing));
     }

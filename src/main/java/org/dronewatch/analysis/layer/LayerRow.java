@@ -39,18 +39,18 @@ public final class LayerRow {
         this.alikes = IntStream.range(0, courses).map(probe::alike).toArray();
     }
 
-    /** Assesses the drone in a cell, with its middle at a place, m. */
+    /** Assesses the drone in a cell with its centre at a position, m. */
     void set(int column, Position at) {
         entries[column] = assess(at) ? codes[0] : -1 - keep();
     }
 
-    /** The codes of the drone at a place, m: one if all courses are alike, otherwise one for each. */
+    /** The codes of the drone at a position, m: one if all courses are alike, otherwise one for each. */
     public int[] codesAt(Position at) {
         return assess(at) ? new int[] {codes[0]} : codes.clone();
     }
 
     /**
-     * The same from former codes, of which those of some courses no longer hold.
+     * The codes of the drone at a position, m, from former codes, of which those of some courses no longer hold.
      *
      * @param former as {@link #codesAt} gives them
      * @param changed the numbers of the courses that have changed

@@ -30,7 +30,7 @@ import org.dronewatch.setting.input.FileHash;
  * is not part of the hash. Not thread-safe.
  */
 public final class LayerStore {
-    /** Keeps nothing. */
+    /** A store that keeps nothing. */
     public static final LayerStore NONE = new LayerStore(Optional.empty(), "");
 
     /** What takes less to assess is not kept, s. */
@@ -65,7 +65,7 @@ public final class LayerStore {
     }
 
     /**
-     * The same store for another scene, such as one in other weather.
+     * This store for another scene, such as one in other weather.
      *
      * @param files the files that were read for it, by their names in the settings
      */
@@ -98,8 +98,8 @@ public final class LayerStore {
      * the calling thread; empty if each cell is assessed.
      *
      * @param plan where the columns are
-     * @param progress receives the number of cells done since the last call; in all, as many as the {@link
-     *     SurveyProgress survey} counts for
+     * @param progress receives the number of cells done since the last call; in total, all cells if levels may be
+     *     interpolated, otherwise none
      */
     public Optional<ExcessMap> excess(FieldProbe probe, FieldColumns columns, String plan, IntConsumer progress) {
         SurveyProgress whole = SurveyProgress.of(probe, columns, progress);
@@ -135,7 +135,7 @@ public final class LayerStore {
      *
      * @param plan where the columns are
      * @param height its number in the columns
-     * @param name of the height: what was kept under another one is not looked up
+     * @param name name of the height: what was kept under another name is not looked up
      */
     public void assess(
             SensorLayer layer,

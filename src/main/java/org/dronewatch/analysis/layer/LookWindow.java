@@ -35,7 +35,7 @@ public final class LookWindow {
     }
 
     /**
-     * The looks of a sensor; empty if the terms ask for a single look, or there is no time for one.
+     * The looks of a sensor; empty if the terms are those of a single look, or the time is too short for a look.
      *
      * @param period of its search, s
      * @param phases the number of phases into which the period is divided

@@ -35,7 +35,7 @@ public final class SensorLayer {
         this.byCourse = new byte[rows * heights][];
     }
 
-    /** A layer in which all heights have been assessed, as below. */
+    /** A layer in which all heights have been assessed. */
     public static SensorLayer of(FieldProbe probe, FieldColumns columns, IntConsumer progress) {
         SensorLayer layer = empty(columns);
         for (int height = 0; height < columns.levels(); height++) {
@@ -66,7 +66,7 @@ public final class SensorLayer {
         return layer;
     }
 
-    /** The layer of only one height. */
+    /** This layer with only one of its heights. */
     public SensorLayer at(int height) {
         SensorLayer alone = new SensorLayer(rows, 1);
         System.arraycopy(entries, height * rows, alone.entries, 0, rows);
@@ -74,7 +74,7 @@ public final class SensorLayer {
         return alone;
     }
 
-    /** What {@link LayerRow#codesAt} gave for a cell of the lowest height. */
+    /** The codes of a cell at the lowest height, as {@link LayerRow#codesAt} gave them. */
     public int[] codes(int column, int row, int courses) {
         if (entries[row][column] >= 0) {
             return new int[] {entries[row][column]};

@@ -11,7 +11,8 @@ import org.dronewatch.world.Visibility;
 
 /**
  * Finds what hides a drone, and which building of a map that is: all buildings of a map are one model, so the building
- * is the one whose outline contains the point just behind its surface. Keeps scratch memory: one thread at a time.
+ * is the one whose outline contains the point just behind its surface. Keeps scratch memory: for use by one thread at a
+ * time.
  */
 final class BlockerSearch {
     /** How far behind the surface the point is, in plan view, m: the corners of the map's meshes are rounded. */

@@ -9,7 +9,7 @@ import org.dronewatch.run.Stage;
 
 /**
  * Assesses individual cells of a coverage again, to give the evidence that the field does not keep: the signal of each
- * sensor, its threshold, and what hides the drone. Keeps scratch memory, so it is for one thread at a time.
+ * sensor, its threshold, and what hides the drone. Keeps scratch memory: for use by one thread at a time.
  */
 public final class CellExaminer {
     private final FieldCoverage coverage;

@@ -22,7 +22,7 @@ import org.dronewatch.scenario.SceneSettings;
  * Where, how high and how early the sensors of a site detect a drone; or, after an interruption, as much of this as was
  * completed.
  *
- * @param grid what was asked for
+ * @param grid the grid that was asked for
  * @param summary the coverage, cell by cell and in numbers; after an interruption, possibly of the lowest heights only
  * @param visible the lowest heights to which the sensors have a clear line of sight
  * @param detectable the lowest heights at which a sensor detects the drone
@@ -110,7 +110,7 @@ public record FieldSurvey(
         return survey;
     }
 
-    /** The same without a store. */
+    /** Carries out a survey without a store. */
     public static FieldSurvey of(
             FieldRequest request, List<FieldCondition> conditions, IntConsumer progress, Runnable stopped) {
         return of(request, conditions, settings -> LayerStore.NONE, progress, stopped);

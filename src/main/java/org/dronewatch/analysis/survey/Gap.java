@@ -12,8 +12,8 @@ import org.dronewatch.sensor.Cause;
  *
  * @param cells number of its cells
  * @param area its area, m2
- * @param x east coordinate of its innermost cell's middle, m: the cell that is farthest from everything outside the
- *     gap; in a tie, the first from the north-west
+ * @param x east coordinate of the centre of its innermost cell, m: the cell that is farthest from everything outside
+ *     the gap; in a tie, the first from the north-west
  * @param y north coordinate of the same cell, m
  * @param causes the number of cells for each dominant cause, in the order of {@link Cause}
  * @param cause the most frequent dominant cause in it; in a tie, the one nearest to a detection

@@ -8,7 +8,7 @@ import org.dronewatch.world.Visibility;
 
 /**
  * Lines of sight between points of a site, with the same {@link Visibility} as that of the sensors. Keeps scratch
- * memory: one thread at a time.
+ * memory: for use by one thread at a time.
  */
 public final class LineOfSight {
     private final Visibility visibility;
@@ -29,7 +29,7 @@ public final class LineOfSight {
     }
 
     /**
-     * What blocks the line from one point to another first; empty if they are mutually visible.
+     * The first obstacle on the line from one point to another; empty if they are mutually visible.
      *
      * @param from where the line begins, m
      * @param to where it ends, m

@@ -7,12 +7,12 @@ import org.dronewatch.analysis.field.FieldCoverage;
  * What remains of the coverage at one height if some sensors fail.
  *
  * @param all the coverage with all sensors
- * @param rest the coverage without some of them, as {@link FieldCoverage#without} gives it
+ * @param rest the coverage without the sensors that fail, as {@link FieldCoverage#without} gives it
  * @param height its number in the grid
  * @param known the number of cells that are known with all sensors
  * @param covered the number of cells that are covered with all sensors
- * @param remaining the number of cells that are covered without some of them
- * @param gone the number of cells that are covered with all sensors, but not without some of them
+ * @param remaining the number of cells that are still covered without the sensors that fail
+ * @param gone the number of cells that are covered with all sensors, but no longer without those that fail
  */
 public record RemainingCoverage(
         FieldCoverage all, FieldCoverage rest, int height, int known, int covered, int remaining, int gone) {
@@ -27,7 +27,7 @@ public record RemainingCoverage(
         return new RemainingCoverage(all, rest, height, known, covered, remaining, gone);
     }
 
-    /** Whether a cell is covered with all sensors, but not by the rest of them. */
+    /** Whether a cell is covered with all sensors, but no longer by the remaining ones. */
     public boolean isLost(int column, int row) {
         return all.isCovered(height, column, row) && !rest.isCovered(height, column, row);
     }
@@ -40,7 +40,7 @@ public record RemainingCoverage(
     }
 
     /**
-     * The number of cells that are covered without some of the sensors, but not with all of them: without those,
+     * The number of cells that are covered by the remaining sensors, but not with all of them: without those that fail,
      * another course may count, on which the others cover the cell.
      */
     public int gained() {

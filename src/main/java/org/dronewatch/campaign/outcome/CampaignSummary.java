@@ -7,7 +7,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The results of a campaign: of each variant, and of each pair of them. Cases are added in any order; for one thread.
+ * The results of a campaign: of each variant, and of each pair of them. Cases are added in any order. For use by one
+ * thread.
  */
 public final class CampaignSummary {
     private final Map<String, VariantSummary> variants = new LinkedHashMap<>();

@@ -15,7 +15,7 @@ import java.util.OptionalDouble;
  * @param seed seed of the run
  * @param values values of the settings that vary, as text, in the order of the campaign
  * @param error why there is no result, in one line; empty if there is one
- * @param bearing bearing of the first attacking drone at the start, from the middle of what is protected or from the
+ * @param bearing bearing of the first attacking drone at the start, from the centre of what is protected or from the
  *     mean position of the sensors, clockwise from north, rad; empty in a case that failed or has no drone
  * @param firstDetected when the first attacking drone was first detected, s; empty if never
  * @param firstSensor the sensor that detected it first; empty if none did

@@ -4,15 +4,15 @@ import java.util.Optional;
 
 /** The outcome for one drone in a case. */
 public enum DroneOutcome {
-    /** No sensor detects it. */
+    /** No sensor detects the drone. */
     MISSED(false, false, Optional.empty()),
-    /** Detected, but without an alert. */
+    /** The drone is detected, but there is no alert for it. */
     DETECTED(true, false, Optional.empty()),
-    /** With an alert, where no response time is required. */
+    /** There is an alert, and no response time is required. */
     ALERTED(true, true, Optional.empty()),
-    /** With an alert that leaves less time than the response requires. */
+    /** There is an alert, but it leaves less time than the response requires. */
     LATE(true, true, Optional.of(false)),
-    /** With an alert that leaves enough time for the response. */
+    /** There is an alert that leaves enough time for the response. */
     IN_TIME(true, true, Optional.of(true));
 
     private final boolean isDetected;

@@ -7,7 +7,7 @@ import java.util.Map;
 
 /**
  * Why cases could not be run. Reasons that differ only in their numbers count as one, and if there are many reasons,
- * only the first are kept. For one thread.
+ * only the first are kept. For use by one thread.
  */
 public final class FailedCases {
     private static final int MOST_REASONS = 10;

@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
 
 /**
- * A quantity of many cases, where a case without it counts as worse than any with it. For one thread. Memory does not
- * grow with the number of cases: beyond a few thousand, values go to a temporary file.
+ * A quantity of many cases, where a case without it counts as worse than any with it. For use by one thread. Memory
+ * does not grow with the number of cases: beyond a few thousand, values go to a temporary file.
  */
 public final class Measures {
     /** The greatest number of values in memory. */

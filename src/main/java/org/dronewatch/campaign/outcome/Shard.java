@@ -32,7 +32,7 @@ public record Shard(int number, int of) {
         return new Shard(Integer.parseInt(text.substring(0, slash)), Integer.parseInt(text.substring(slash + 1)));
     }
 
-    /** Whether a chunk belongs to it. */
+    /** Whether a chunk belongs to this shard. */
     public boolean has(int chunk) {
         return chunk % of == number - 1;
     }

@@ -7,7 +7,7 @@ import java.nio.ByteBuffer;
 import java.util.function.DoubleConsumer;
 import org.dronewatch.setting.InputException;
 
-/** Numbers in a temporary file, which is gone when nothing refers to them any more. For one thread. */
+/** Numbers in a temporary file, which is deleted once nothing refers to them. For use by one thread. */
 final class SpilledValues {
     private static final int BUFFER_VALUES = 1 << 13;
 

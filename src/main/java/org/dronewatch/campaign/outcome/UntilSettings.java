@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * How precisely a probability is to be known: cases are run until it is.
  *
- * @param of the outcome whose probability is meant
+ * @param of the outcome whose probability is to be known
  * @param variant the variant; may be omitted if there is only one
  * @param halfWidth half the width of the interval, 0.002 to 0.5
  * @param confidence confidence of the interval, 0.5 to 0.999

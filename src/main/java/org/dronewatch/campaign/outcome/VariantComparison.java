@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Two variants compared case by case, by one outcome. Cases are added one by one; for one thread. */
+/** Two variants compared case by case, by one outcome. Cases are added one by one. For use by one thread. */
 public final class VariantComparison {
     private static final int MOST_CASES = 20;
 

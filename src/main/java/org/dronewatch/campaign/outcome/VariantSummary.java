@@ -12,7 +12,7 @@ import java.util.TreeMap;
 import java.util.function.Predicate;
 import org.dronewatch.statistics.Proportion;
 
-/** The results of all cases of one variant. Results are added one by one; for one thread. */
+/** The results of all cases of one variant. Results are added one by one. For use by one thread. */
 public final class VariantSummary {
     /** The number of sectors into which bearings are divided, the first centred on north. */
     public static final int SECTORS = 8;
@@ -82,7 +82,7 @@ public final class VariantSummary {
         return failed;
     }
 
-    /** Why they failed, in the order in which the reasons occurred. */
+    /** Why cases failed, in the order in which the reasons occurred. */
     public List<FailedCases.Reason> failures() {
         return failures.reasons();
     }
@@ -100,7 +100,10 @@ public final class VariantSummary {
         return proportion(outcomes, outcome);
     }
 
-    /** The same for the attacks that begin in a sector; also empty if there is no such attack. */
+    /**
+     * Of the attacks that begin in a sector and for which an outcome is known, the proportion that has it; empty if
+     * there are none.
+     */
     public Optional<Proportion> proportion(Outcome outcome, int sector) {
         return proportion(sectors.get(sector), outcome);
     }
@@ -114,7 +117,10 @@ public final class VariantSummary {
         return Collections.unmodifiableSet(drones.keySet());
     }
 
-    /** The same for one attacking drone, among the cases in which it takes part. */
+    /**
+     * Of the cases in which an attacking drone takes part and an outcome is known for it, the proportion that has it;
+     * empty if there are none.
+     */
     public Optional<Proportion> proportion(Outcome outcome, String drone) {
         return proportion(drones.getOrDefault(drone, Map.of()), outcome);
     }

@@ -1,2 +1,2 @@
-/** What the cases of a campaign come to: their outcomes, the summary of each variant, and when there are enough. */
+/** The outcomes of the cases of a campaign, the summary of each variant, and when there are enough. */
 package org.dronewatch.campaign.outcome;

@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 
 /**
  * Morris's design (Morris, Technometrics 33, 1991): in each group the factors change one by one, in a random order,
- * from their first value to their second. The values are the middles of four equal parts of the distribution, and the
- * second is half of the distribution from the first.
+ * from their first value to their second. The values are the midpoints of four equally probable intervals of the
+ * distribution, and the second differs from the first by half of the total probability.
  *
  * @param factors number of factors, 1 or more
  * @param base number of groups, 2 or more

@@ -9,10 +9,10 @@ import org.dronewatch.setting.Defaults;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Normally distributed values; those beyond a limit do not occur, and the others are correspondingly likelier.
+ * Normally distributed values, truncated at the limits.
  *
- * @param mean mean of the distribution without limits
- * @param deviation its standard deviation, above 0
+ * @param mean mean of the distribution before truncation
+ * @param deviation standard deviation before truncation, above 0
  * @param from the least value; without it, five standard deviations below the mean
  * @param to the greatest value; without it, five standard deviations above the mean
  */
@@ -28,7 +28,7 @@ public record Normal(String mean, String deviation, Optional<String> from, Optio
         Check.present("to", to);
     }
 
-    /** A distribution without limits. */
+    /** A distribution with the default limits. */
     @Defaults({"mean", "deviation"})
     public static Normal of(String mean, String deviation) {
         return new Normal(mean, deviation, Optional.empty(), Optional.empty());

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Quantity;
  * Any value in a range, all equally likely.
  *
  * @param from the least value
- * @param to values are below this
+ * @param to the upper limit; all values are below it
  */
 public record Uniform(String from, String to) {
     DoubleUnaryOperator inverse(Quantity quantity) {

@@ -72,10 +72,10 @@ public record Variation(
     }
 
     /**
-     * The value of the setting that a random number stands for, as text for a setting of a quantity.
+     * The value of the setting that corresponds to a random number, as text for a setting of a quantity.
      *
      * @param quantity what the setting is measured in
-     * @param u random number from 0, below 1
+     * @param u random number, 0 or more and below 1
      * @throws IllegalArgumentException when a parameter is not a value of the quantity, or contradicts the others
      */
     public String value(Quantity quantity, double u) {
@@ -83,7 +83,7 @@ public record Variation(
                 .orElseGet(() -> written(quantity, distribution(quantity).applyAsDouble(u)));
     }
 
-    /** The texts of the least and greatest values, which show whether all fit the setting. */
+    /** The least and greatest values as texts, by which to check that all values suit the setting. */
     public List<String> extremes(Quantity quantity) {
         return values.orElseGet(() -> List.of(value(quantity, 0.0), value(quantity, Math.nextDown(1.0))));
     }

@@ -57,7 +57,10 @@ public final class Cues {
         return uncued;
     }
 
-    /** The sensors of a layout, not themselves on positioners, that cue others; and whether there are such others. */
+    /**
+     * Which sensors of a layout count as turned to the drone, and which sensors, not themselves on positioners, cue
+     * them.
+     */
     public Cueing cueing(List<SiteCandidate> layout) {
         Map<String, Set<String>> all = cueing();
         List<String> turning = layout.stream()

@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * The conditions that the layout must meet, besides the budget.
  *
- * @param atMost maximum number of its sensors, including those that are kept; no limit by default
+ * @param atMost maximum number of sensors in the layout, including those that are kept; no limit by default
  * @param fold number of sensors that must cover a cell for it to count, 1 to 10; 1 by default
  * @param anyoneLost what must remain covered after the loss of the sensor whose loss is worst
  * @param base position of a base station, m: positions without a line of sight to it, as for a radio link, are left

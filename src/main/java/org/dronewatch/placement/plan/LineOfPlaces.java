@@ -11,8 +11,8 @@ import org.dronewatch.world.GroundPoint;
 /**
  * Evenly spaced positions along a straight line, above the highest surface.
  *
- * @param from its beginning
- * @param to its end
+ * @param from start of the line
+ * @param to end of the line
  * @param every distance between neighbours, above 0 and at most 100 km, m
  * @param above height above the highest surface, 0 to 100 km, m; 2 m by default
  */

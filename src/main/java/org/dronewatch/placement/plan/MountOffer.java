@@ -9,8 +9,8 @@ import org.dronewatch.setting.file.Node;
 /**
  * A positioner on which a sensor may be mounted instead of being fixed.
  *
- * @param positioner its settings as in a scene file, such as {@code {use: viper}}; in the layout, it is cued by all
- *     sensors that measure directions unless its settings name the sensors that cue it
+ * @param positioner settings of the positioner as in a scene file, such as {@code {use: viper}}; in the layout, it is
+ *     cued by all sensors that measure directions unless its settings name the sensors that cue it
  * @param price price of one positioner, in addition to that of the sensor, 0 to 1e12, in the currency of the budget
  */
 public record MountOffer(Node.Mapping positioner, @In(value = Quantity.NUMBER, from = 0, to = 1e12) double price) {

@@ -15,16 +15,17 @@ import org.dronewatch.setting.file.Node;
 /**
  * A sensor that may be bought, and where it may be installed.
  *
- * @param sensor its settings as in a scene file, without a position, such as {@code {use: blighter-a400-m10s}}
+ * @param sensor settings of the sensor as in a scene file, without a position, such as
+ *     {@code {use: blighter-a400-m10s}}
  * @param price price of one sensor, including its installation, 0 to 1e12, in the currency of the budget
  * @param places positions at which the sensor may be installed
  * @param line positions along a line
  * @param area positions within a polygon, such as a roof
- * @param aims number of directions, evenly spaced around the compass from its own azimuth, in which it may be aimed at
- *     each position, 1 to 72; 1 by default
- * @param positioners positioners on which it may be mounted instead of being fixed, by name: the names of such sensors
- *     in the layout end with that name. At each position, there is one candidate on each of them, in addition to one
- *     for each aim; none by default
+ * @param aims number of directions, evenly spaced around the compass from the sensor's own azimuth, in which it may be
+ *     aimed at each position, 1 to 72; 1 by default
+ * @param positioners positioners on which the sensor may be mounted instead of being fixed, by name: the names of such
+ *     sensors in the layout end with that name. At each position, there is one candidate on each of them, in addition
+ *     to one for each aim; none by default
  * @param exclusive whether at most one such sensor, among all candidates and the sensors that are kept, may occupy a
  *     position; {@code false} by default
  * @param atLeast minimum number of such sensors in the layout; 0 by default

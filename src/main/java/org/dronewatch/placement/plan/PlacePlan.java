@@ -73,7 +73,7 @@ public record PlacePlan(
                                 : FieldTerms.Turning.CUED);
     }
 
-    /** All sensors that the scene has today, and that a layout may have. */
+    /** All sensors that the scene has now or that a layout may have. */
     public List<SensorSettings<?>> sensors() {
         List<SensorSettings<?>> sensors =
                 new ArrayList<>(present.enabledSensors().values());
@@ -155,12 +155,12 @@ public record PlacePlan(
                 .orElseThrow(() -> new InputException("scene: it has no drone that could be detected"));
     }
 
-    /** The same with another budget. */
+    /** This plan with another budget. */
     public PlacePlan withBudget(double budget) {
         return with(settings.withBudget(budget));
     }
 
-    /** The same with another cell size: the length of a cell's side, m. */
+    /** This plan with another cell size: the length of a cell's side, m. */
     public PlacePlan withCell(double length) {
         return with(SettingsForm.with(settings, "air", SettingsForm.with(settings.air(), "cell", Optional.of(length))));
     }

@@ -2,8 +2,8 @@ package org.dronewatch.placement.plan;
 
 /** Which of the warnings of all flights counts. */
 public enum WarningMeasure {
-    /** The shortest. */
+    /** The shortest warning. */
     WORST,
-    /** Their mean. */
+    /** The mean of all warnings. */
     MEAN
 }

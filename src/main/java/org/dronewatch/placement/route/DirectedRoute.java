@@ -7,12 +7,12 @@ import org.dronewatch.route.search.WeakestRoute;
 /**
  * The weakest route from one direction, in the scene as it is or under one of the conditions of a plan.
  *
- * @param sector from which it comes, by its number, from 0 for the north clockwise
+ * @param sector number of the sector from which the route comes, clockwise from 0 for the north
  * @param condition name of the condition; empty for the scene as it is
- * @param route that is least exposed
+ * @param route the least exposed route
  */
 public record DirectedRoute(int sector, Optional<String> condition, WeakestRoute route) {
-    /** The same route past other sensors, with the exposure to them and its lower bound for all routes past them. */
+    /** This route past other sensors, with the exposure to them and its lower bound for all routes past them. */
     DirectedRoute exposed(double exposure, double lower) {
         return new DirectedRoute(sector, condition, new WeakestRoute(route.path(), exposure, lower, route.seconds()));
     }
@@ -22,7 +22,7 @@ public record DirectedRoute(int sector, Optional<String> condition, WeakestRoute
         return route.exposure();
     }
 
-    /** The bearing of the middle of the sector, clockwise from north, rad. */
+    /** The bearing of the centre of the sector, clockwise from north, rad. */
     public double bearing() {
         return SectorRoute.bearing(sector);
     }

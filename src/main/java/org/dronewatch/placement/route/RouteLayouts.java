@@ -25,11 +25,12 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The layouts of a plan against the weakest routes past them, once all candidates have been assessed: for the whole
- * budget and, starting from the routes that were found for it, for lower budgets. Not thread-safe.
+ * Finds the layouts of a plan that are best against the weakest routes past them, once all candidates have been
+ * assessed: for the whole budget and, starting from the routes that were found for it, for lower budgets. Not
+ * thread-safe.
  */
 public final class RouteLayouts {
-    /** The greatest number of times that layouts are compared because flights have shown other routes. */
+    /** The greatest number of times that layouts are compared again because flights have shown other routes. */
     public static final int MOST_COMPARED = 20;
 
     private final PlacePlan plan;
@@ -136,7 +137,10 @@ public final class RouteLayouts {
             return planes.within(budget).solve(limits, round -> {}).map(figures::inBrief);
         }
 
-        /** Exposures are those on the routes found, so that a difference smaller than the gap may not be real. */
+        /**
+         * {@inheritDoc} Exposures are those on the routes found, so that a difference smaller than the gap may not be
+         * real.
+         */
         @Override
         public boolean isBetter(RoutePlacement layout, double value, SolverLimits limits) {
             return layout.value() > (1.0 + limits.gap()) * value;
@@ -163,8 +167,8 @@ public final class RouteLayouts {
         }
 
         /**
-         * The direction from which the drone was least likely to be detected before; in a tie, the one from which the
-         * most is gained.
+         * {@inheritDoc} It is the direction from which the drone was least likely to be detected before; in a tie, the
+         * one from which the most is gained.
          */
         @Override
         public Optional<SectorGain> gain(Optional<RoutePlacement> before, RoutePlacement after) {

@@ -24,7 +24,7 @@ import org.dronewatch.placement.site.PresentLayout;
  * @param weakest the least exposed route past the layout
  * @param lower a certified lower bound on the exposure along any route past the layout
  * @param asItIs value in the scene as it is
- * @param byCondition by its name, the value under each condition
+ * @param byCondition the value under each condition, by its name
  * @param parts figures of parts of the layout, and of the scene's own sensors
  * @param rounds number of layouts whose routes were searched for
  * @param routes number of routes that were compared
@@ -72,7 +72,7 @@ public record RoutePlacement(
         return parts.remaining();
     }
 
-    /** The number of candidates that cost no more than the budget each, and of those that are kept. */
+    /** The number of candidates that are kept, or that each cost no more than the budget. */
     public int affordable() {
         return RouteFigures.affordable(plan).size();
     }
@@ -107,7 +107,7 @@ public record RoutePlacement(
         return parts.present();
     }
 
-    /** The same with another bound; none below the value. */
+    /** This placement with another bound; none below the value. */
     RoutePlacement within(double bound) {
         double atLeast = Math.max(result.value(), bound);
         return with(
@@ -116,12 +116,12 @@ public record RoutePlacement(
                 complete);
     }
 
-    /** The same with figures of its parts. */
+    /** This placement with figures of its parts. */
     RoutePlacement with(RouteParts others) {
         return with(result, others, complete);
     }
 
-    /** The same as the result of a search that tried as many layouts and routes as another. */
+    /** This placement as the result of a search that tried as many layouts and routes as another. */
     RoutePlacement countedAs(RoutePlacement other) {
         return new RoutePlacement(
                 plan,
@@ -137,14 +137,14 @@ public record RoutePlacement(
                 complete);
     }
 
-    /** Whether it states the figures of its parts and of the scene's own sensors, as far as there are any. */
+    /** Whether this states the figures of its parts and of the scene's own sensors, as far as there are any. */
     public boolean isWithParts() {
         boolean isBare =
                 result.chosen().isEmpty() && plan.present().enabledSensors().isEmpty();
         return isBare || !parts.equals(RouteParts.NONE);
     }
 
-    /** The same without figures of its parts, after an interruption. */
+    /** This placement without figures of its parts, after an interruption. */
     RoutePlacement withoutParts() {
         return with(result, RouteParts.NONE, false);
     }

@@ -65,7 +65,7 @@ final class RouteRows implements RowOracle {
                 .toList();
     }
 
-    /** The same for candidates, by their numbers. */
+    /** The weakest known routes past some of the candidates, given by their numbers, as {@link #past}. */
     List<DirectedRoute> pastCandidates(List<Integer> chosen) {
         return past(names(chosen));
     }

@@ -16,7 +16,7 @@ final class AirGrid {
     private AirGrid() {}
 
     /**
-     * A coordinate of a middle in whole nanometres: commands that name it again, without loss, are then not full of
+     * A coordinate of a centre in whole nanometres: commands that name it again, without loss, are then not full of
      * digits that rounding has left.
      *
      * @param coordinate m

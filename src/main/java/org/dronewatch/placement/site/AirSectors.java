@@ -6,7 +6,7 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.PlacementProblem;
 
-/** The rows of {@link CoveredCells} by eighths of the compass around the middle of the airspace, and by height. */
+/** The rows of {@link CoveredCells} by eighths of the compass around the centre of the airspace, and by height. */
 final class AirSectors {
     private static final int SECTORS = 8;
     private static final double EIGHTH = 0.25 * Math.PI;

@@ -26,16 +26,16 @@ public record BudgetFront<L extends PlacedLayout>(
     }
 
     /**
-     * The same when the time limit has cut something else short.
+     * These layouts, marked as lacking a part that the time limit cut short.
      *
-     * @param limits of the searches
+     * @param limits limits of the searches
      */
     public BudgetFront<L> without(LeftOut part, SolverLimits limits) {
         TimeStop stop = stopped.orElseGet(() -> new TimeStop(limits.end().seconds(), limits.gap(), true, false));
         return new BudgetFront<>(points, tried, false, Optional.of(stop.with(part)));
     }
 
-    /** Whether the time limit has cut something short, or prevented it. */
+    /** Whether the time limit has cut a part short, or prevented it. */
     public boolean isWithout(LeftOut part) {
         return stopped.filter(stop -> stop.leftOut().contains(part)).isPresent();
     }

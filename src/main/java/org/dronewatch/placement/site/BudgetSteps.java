@@ -41,7 +41,7 @@ final class BudgetSteps {
     }
 
     /**
-     * Further budgets, each in the middle of what is then the widest interval that has any sum inside.
+     * Further budgets, each at the midpoint of what is then the widest interval that has any sum inside.
      *
      * @param sums of prices
      * @param had the budgets between which they lie, in any order

@@ -6,19 +6,19 @@ import org.dronewatch.placement.plan.WarningMeasure;
 
 /** How the order in which to buy the sensors of a layout is found. */
 public enum BuyingRule {
-    /** From its beginning: at each step, the sensor that adds the most for its price is bought. */
+    /** From the first purchase onwards: at each step, the sensor that adds the most for its price is bought. */
     MOST_ADDED,
 
     /**
-     * From its end: at each step, the sensor that contributes least per unit of price is left out. Where several
-     * sensors must detect the drone, the first of them are worth nothing by themselves.
+     * From the last purchase backwards: at each step, the sensor that contributes least per unit of price is left out.
+     * Where several sensors must detect the drone, the first of them are worth nothing by themselves.
      */
     LEAST_LOST,
 
     /**
-     * From its end: each step leaves out the sensor without which the worst case is best or, in a tie, the one that
-     * contributes least over all cases per unit of price. Where only the worst case counts, the first sensors often do
-     * not improve it.
+     * From the last purchase backwards: each step leaves out the sensor without which the worst case is best or, in a
+     * tie, the one that contributes least over all cases per unit of price. Where only the worst case counts, the first
+     * sensors often do not improve it.
      */
     BEST_LEFT;
 

@@ -35,7 +35,7 @@ public final class CheaperCoverage implements CheaperLayouts<SitePlacement> {
         return solver.solve(cheaper(best.problem(), budget), limits).map(best::with);
     }
 
-    /** The same problem with another budget. */
+    /** A problem with another budget. */
     static PlacementProblem cheaper(PlacementProblem problem, double budget) {
         PlacementConditions conditions = problem.conditions().withBudget(budget);
         return new PlacementProblem(problem.table(), problem.objective(), conditions);

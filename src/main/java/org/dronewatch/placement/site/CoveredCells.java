@@ -29,8 +29,8 @@ import org.dronewatch.setting.PlainText;
 /**
  * The airspace that each sensor covers: a row for each cell and each of eight headings, or for each cell and the
  * heading towards the protected zone; under several conditions, these rows are repeated for each of them. Cells that
- * are inside something solid, without ground below them or outside the area do not count. For one thread, which may
- * have {@link org.dronewatch.parallel.Workers}.
+ * are inside something solid, without ground below them or outside the area do not count. For use by one thread, which
+ * may have {@link org.dronewatch.parallel.Workers}.
  */
 public final class CoveredCells {
     /** Maximum number of rows. */
@@ -121,7 +121,7 @@ public final class CoveredCells {
         return looks(plan.candidates().size());
     }
 
-    /** The same for a given number of sensors. */
+    /** The approximate number of cells at which a given number of sensors has to be assessed. */
     public long looks(int sensors) {
         return (long) sensors * scenes.size() * grid.cells() * grid.heights().size();
     }

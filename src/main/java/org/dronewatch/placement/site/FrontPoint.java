@@ -22,7 +22,7 @@ public record FrontPoint<L extends PlacedLayout>(
         removed = List.copyOf(removed);
     }
 
-    /** The same budget and change, with what else is known of the layout. */
+    /** This point, with what else is known of the layout. */
     FrontPoint<L> with(L described) {
         return new FrontPoint<>(budget, described, added, removed, gain);
     }

@@ -43,7 +43,7 @@ public interface PlacedLayout {
     /** The value of a chosen sensor by itself; empty if it was not computed. */
     OptionalDouble alone(SiteCandidate sensor);
 
-    /** The value of only some of its sensors; empty if it was not computed. */
+    /** The value of only some of the layout's sensors; empty if it was not computed. */
     default OptionalDouble together(List<SiteCandidate> sensors) {
         return OptionalDouble.empty();
     }
@@ -57,7 +57,10 @@ public interface PlacedLayout {
      */
     List<PlaceStep> purchases();
 
-    /** Purchases after which it does not comply with the conditions; empty if there are none, or it is not known. */
+    /**
+     * Purchases after which the layout does not yet comply with the conditions; empty if there are none, or it is not
+     * known.
+     */
     default Optional<EarlyPurchases> early() {
         return Optional.empty();
     }

@@ -2,9 +2,9 @@ package org.dronewatch.placement.site;
 
 /**
  * The part of the airspace in which a layout gains the most over another: a compass sector of 45 degrees around the
- * middle of the airspace, at some heights; or the flights or routes that come from that sector.
+ * centre of the airspace, at some heights; or the flights or routes that come from that sector.
  *
- * @param bearing bearing of the middle of the sector, clockwise from north, rad
+ * @param bearing bearing of the centre of the sector, clockwise from north, rad
  * @param lowest lowest height above the ground, m
  * @param highest highest height above the ground, m
  * @param before what the other layout is worth there: the fraction that it covers, its warning in s, or the probability

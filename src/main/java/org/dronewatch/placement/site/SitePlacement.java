@@ -24,7 +24,7 @@ import org.dronewatch.placement.plan.SiteCandidate;
  * @param problem the problem, whose rows have a mean weight of 1; under several conditions, the rows are repeated for
  *     each of them
  * @param result result of the search, in rows
- * @param zones the protected zones that have a weight, and all other cells; empty if none has
+ * @param zones the protected zones that have a weight, and all other cells; empty if no zone has one
  * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed
  * @param complete whether every candidate and the scene's own sensors were assessed, and the search ran to completion
@@ -43,19 +43,19 @@ public record SitePlacement(
         implements PlacedLayout {
     private static final double ROUNDING = 1e-9;
 
-    /** The same with another layout. */
+    /** This placement with another layout. */
     SitePlacement with(PlacementResult other) {
         return new SitePlacement(
                 plan, grid, headings, rows, problem, other, zones, assessed, present, complete && other.complete());
     }
 
-    /** The same with another bound, in rows; none below the value. */
+    /** This placement with another bound, in rows; none below the value. */
     SitePlacement within(double bound) {
         return with(new PlacementResult(
                 result.chosen(), result.value(), Math.max(result.value(), bound), result.cost(), result.complete()));
     }
 
-    /** What is covered of each zone that has a weight, and of all other cells; empty if none has. */
+    /** What is covered of each zone that has a weight, and of all other cells; empty if no zone has one. */
     public List<ZoneCoverage> byZone() {
         return zones.stream()
                 .map(zone -> new ZoneCoverage(

@@ -7,8 +7,8 @@ import java.util.List;
  * What a time limit has stopped.
  *
  * @param seconds the time limit, s
- * @param gap the gap at which the search was to end, as a fraction of their value, 0 to 1
- * @param gapReached whether the layout for the whole budget has reached it
+ * @param gap the gap at which the search was to end, as a fraction of the layout's value, 0 to 1
+ * @param gapReached whether the layout for the whole budget has reached the gap
  * @param cheaper whether the search for cheaper layouts was stopped, or had no time left to begin
  * @param leftOut what was not complete {@link org.dronewatch.placement.SearchEnd#FOLLOW_UP} later
  */
@@ -23,7 +23,7 @@ public record TimeStop(double seconds, double gap, boolean gapReached, boolean c
         this(seconds, gap, gapReached, cheaper, List.of());
     }
 
-    /** The same when something else was not complete, either. */
+    /** This stop when something else was not complete, either. */
     TimeStop with(LeftOut part) {
         List<LeftOut> all = new ArrayList<>(leftOut);
         all.add(part);

@@ -28,8 +28,8 @@ import org.dronewatch.placement.plan.WarningMeasure;
  * @param plan what was asked for
  * @param grid the cells; the length of their sides is the step of the flights
  * @param longest the longest warning that can be found, that of a flight detected where it begins, s
- * @param problem the problem, with a row for each flight, under several conditions once for each of them; for the worst
- *     warning, its values are the amounts by which warnings are shorter than the longest
+ * @param problem the problem, with a row for each flight under each condition; for the worst warning, its values are
+ *     the amounts by which warnings are shorter than the longest
  * @param result result of the search, in the values of the problem
  * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
@@ -46,7 +46,7 @@ public record WarningPlacement(
         Optional<PresentLayout> present,
         boolean complete)
         implements PlacedLayout {
-    /** The same with another layout. */
+    /** This placement with another layout. */
     WarningPlacement with(PlacementResult other) {
         return new WarningPlacement(
                 plan, grid, longest, problem, other, assessed, present, complete && other.complete());
@@ -179,7 +179,7 @@ public record WarningPlacement(
         return EarlyPurchases.of(this, problem, this::seconds);
     }
 
-    /** Where the shortest warning is the same, the sum of all warnings counts. */
+    /** {@inheritDoc} Where the shortest warning is the same, the sum of all warnings counts. */
     @Override
     public List<PlaceStep> purchases() {
         return new BuyingOrder(

@@ -15,7 +15,7 @@ import org.dronewatch.placement.PlacementProblem;
  * @param present the fraction of the zone that the scene's own sensors cover; empty if it is not known
  */
 record ZoneRows(String zone, double weight, BitSet rows, OptionalDouble present) {
-    /** The same with what the scene's own sensors cover. */
+    /** These rows with what the scene's own sensors cover. */
     ZoneRows withPresent(PlacementProblem problem, List<Integer> sensors) {
         return new ZoneRows(zone, weight, rows, OptionalDouble.of(covered(problem, sensors)));
     }

@@ -72,7 +72,7 @@ public final class CuttingPlanes {
         this.known = known;
     }
 
-    /** The same search with another budget; it begins with the rows that this one has found, or the oracle knows. */
+    /** This search with another budget; it begins with the rows that this one has found, or the oracle knows. */
     public CuttingPlanes within(double budget) {
         return new CuttingPlanes(candidates, conditions.withBudget(budget), oracle, solver, enough, known);
     }

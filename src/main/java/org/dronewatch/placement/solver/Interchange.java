@@ -38,7 +38,7 @@ final class Interchange {
         owner = new int[gains.rowCount()];
     }
 
-    /** The choice from which no swap leads to a better one; if it is stopped, what it has come to. */
+    /** The choice from which no swap leads to a better one; if the search is stopped, the best so far. */
     int[] swapped(int[] start) {
         chosen = start.clone();
         loss = new double[chosen.length];

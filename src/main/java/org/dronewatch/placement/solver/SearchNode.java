@@ -9,7 +9,7 @@ record SearchNode(byte[] state, double[] multipliers, double bound) {
     static final byte IN = 1;
     static final byte OUT = 2;
 
-    /** The same with one more decision. */
+    /** This node with one more decision. */
     SearchNode with(int candidate, byte decision) {
         byte[] decided = state.clone();
         decided[candidate] = decision;

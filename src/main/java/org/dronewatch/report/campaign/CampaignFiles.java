@@ -247,7 +247,7 @@ public final class CampaignFiles implements AutoCloseable {
                 .writeFile(partial -> JsonFile.write(partial, content));
     }
 
-    /** Lets other processes write into the directory. */
+    /** Releases the directory, so that other processes may write into it. */
     @Override
     public void close() {
         try {

@@ -40,7 +40,7 @@ public final class CampaignPart {
     /**
      * The results of a chunk; empty if the directory does not hold them.
      *
-     * @param cases the campaign's, or those that show which settings matter
+     * @param cases the cases of the campaign, or those that show which settings matter
      */
     public Optional<List<CaseResult>> find(Cases cases, int chunk) {
         Path chunks = directory.resolve(cases == plan ? CampaignFiles.CHUNKS : CampaignFiles.SENSITIVITY);

@@ -27,7 +27,7 @@ final class CaseChunks implements CampaignRun.Chunks {
         return directory.resolve(String.format(Locale.ROOT, "%06d.csv", number));
     }
 
-    /** A damaged file does not count as a chunk: its cases are run again. */
+    /** {@inheritDoc} A damaged file does not count as a chunk: its cases are run again. */
     @Override
     public Optional<List<CaseResult>> find(int number) {
         if (!Files.isRegularFile(file(number))) {

@@ -14,7 +14,7 @@ public final class ComparedVariants {
         this.pairs = new PairWords(summary);
     }
 
-    /** How often each of them succeeds, and whether the difference is more than chance, in plain text. */
+    /** How often each variant succeeds, and whether the difference is more than chance, in plain text. */
     public String verdict() {
         return (pairs.shares() + " " + pairs.verdict().orElse("")).strip();
     }

@@ -42,7 +42,7 @@ public final class RemoteChunks {
     /**
      * Reads the bytes of a chunk.
      *
-     * @param cases the campaign's, or those that show which settings matter
+     * @param cases the cases of the campaign, or those that show which settings matter
      * @return the results, by case, then variant
      * @throws IllegalStateException when the bytes are not those of this chunk
      */

@@ -10,8 +10,8 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * How causes look on a map. The colours are from the palette of Okabe and Ito ("Color Universal Design", 2008), which
- * people with any kind of colour vision can tell apart; patterns tell them apart in black and white. All but what
- * is detected have one, since lightness alone does not identify a colour on a shaded slope.
+ * people with any kind of colour vision can distinguish; patterns distinguish them in black and white. Every cause
+ * except {@link Cause#DETECTED} has a pattern, since lightness alone does not identify a colour on a shaded slope.
  */
 public final class CauseFills {
     private static final Color LIGHT_BLUE = new Color(0x9fd3f2);
@@ -37,7 +37,7 @@ public final class CauseFills {
     /** A cell of which it is known only that it is open, since there is no sensor. */
     static final MapSheet.Fill NO_SENSOR = lined(GREY, (u, v) -> u % PERIOD < 2 && v % PERIOD < 2);
 
-    /** A cell that is covered, but not without a sensor: the colour of what is detected, crossed out. */
+    /** A cell whose coverage is lost: the colour of what is detected, crossed out. */
     static final MapSheet.Fill LOST = (u, v, ground) -> (isCross(u, v) ? Color.BLACK : LIGHT_BLUE).getRGB();
 
     /** A cell in which a sensor detects the drone, but not with the probability, or within the time, asked for. */

@@ -126,7 +126,7 @@ final class ConditionMatrix {
         g.drawString(LegendText.shortened(text, g.getFontMetrics(), image.getWidth() - MARGIN / 2 - x), x, y);
     }
 
-    /** Writes a text in the middle of a cell, shortened if it is too long. */
+    /** Writes a text at the centre of a cell, shortened if it is too long. */
     private void centre(Font font, Color ink, String text, int left, int y) {
         g.setFont(font);
         FontMetrics metrics = g.getFontMetrics();

@@ -16,7 +16,7 @@ final class HeightFills {
     private static final Color HIGHEST = new Color(0x2c4a86);
     private static final Color NONE = new Color(0x2b2b2b);
 
-    /** Lines that tell "none" from the highest class in black and white. */
+    /** Lines that distinguish "none" from the highest class in black and white. */
     private static final Color LINE = new Color(0xb8b8b8);
 
     private static final int PERIOD = 12;

@@ -15,7 +15,7 @@ public final class PlanJson {
     private PlanJson() {}
 
     /**
-     * All keys: the area in which each sensor detects the drone, and the numbers of cells by cause.
+     * The tables, with all keys: the area in which each sensor detects the drone, and the numbers of cells by cause.
      *
      * @param scene name of the scene
      * @param drone name of the drone

@@ -95,7 +95,7 @@ public final class WarningMap {
                 : ColourMix.of(ground, Color.WHITE, 0.35);
     }
 
-    /** Whether all flights begin on the map of a grid: their target may not be its middle, or they begin beyond it. */
+    /** Whether all flights begin on the map of a grid: their target may not be its centre, or they begin beyond it. */
     private static boolean showsAll(FieldGrid grid, InboundWarnings warnings) {
         Position target = warnings.target();
         double aside = Math.max(Math.abs(target.x() - grid.east()), Math.abs(target.y() - grid.north()));

@@ -30,7 +30,7 @@ public final class OutputDirectory implements AutoCloseable {
     /** Work that writes into the directory. */
     @FunctionalInterface
     public interface Work {
-        /** Writes. */
+        /** Writes the files. */
         void run() throws IOException;
     }
 

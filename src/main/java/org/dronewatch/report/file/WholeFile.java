@@ -41,7 +41,7 @@ public final class WholeFile {
     }
 
     /**
-     * Names a file.
+     * An output file, of which nothing is written yet.
      *
      * @param option name of the option or setting in messages, such as {@code --out}
      * @param name the file's path as the user wrote it

@@ -40,7 +40,7 @@ public final class Rose {
      * An empty rose.
      *
      * @param label describes the drawing, for readers who cannot see it
-     * @param most the value at its rim, above 0
+     * @param most the value at the rim, above 0
      * @param unit of the values
      */
     public Rose(String label, double most, String unit) {
@@ -138,7 +138,7 @@ public final class Rose {
                 format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">%s</text>%n", x, y, anchor, Html.text(words)));
     }
 
-    /** The drawing. */
+    /** The drawing as mark-up. */
     public String svg() {
         return svg.toString() + labels + "</svg></div>\n";
     }

@@ -26,13 +26,13 @@ public final class SensorTables {
         this.settings = settings;
     }
 
-    /** A row for each sensor. */
+    /** The table of the sensors, with a row for each. */
     public String sensors() {
         return sensors("No prices are known; they can be set in the scene under 'prices'.");
     }
 
     /**
-     * The same.
+     * The table of the sensors, with a row for each.
      *
      * @param unpriced what to say if the scene states no prices
      */

@@ -40,7 +40,7 @@ import org.dronewatch.geo.Origin;
  * them. Equal grids give the same bytes.
  */
 public final class GeoTiff {
-    /** The class that marks cells without one. */
+    /** The number that marks cells without a class. */
     public static final int NO_CLASS = 255;
 
     /** The number that marks cells without a value; not a NaN, which some programs do not recognise. */
@@ -86,7 +86,7 @@ public final class GeoTiff {
     /**
      * Writes classes, and their names to a second file beside the first.
      *
-     * @param cells the numbers of their classes, row by row from the north-west; {@link #NO_CLASS} for none
+     * @param cells the class number of each cell, row by row from the north-west; {@link #NO_CLASS} for none
      * @param classes in the order of their numbers
      */
     public void writeClasses(Path file, byte[] cells, List<CellClass> classes) throws IOException {
@@ -107,7 +107,7 @@ public final class GeoTiff {
     /**
      * Writes single-precision numbers.
      *
-     * @param cells row by row from the north-west; NaN for none
+     * @param cells the values of the cells, row by row from the north-west; NaN for none
      */
     public void writeNumbers(Path file, float[] cells) throws IOException {
         float[] values = cells.clone();
@@ -123,7 +123,7 @@ public final class GeoTiff {
     /**
      * Writes counts.
      *
-     * @param cells row by row from the north-west, 0 to 65,534; below 0 for none
+     * @param cells the counts of the cells, row by row from the north-west, 0 to 65,534; below 0 for none
      */
     public void writeCounts(Path file, int[] cells) throws IOException {
         short[] values = new short[cells.length];

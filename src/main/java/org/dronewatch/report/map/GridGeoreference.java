@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 /**
  * Where a square grid of the world frame lies in the UTM zone of the scene's origin, or in the polar grid beyond 84
  * degrees north and 80 degrees south: an affine transform, which turns the grid by the angle between true north and
- * grid north and scales it. It agrees with the exact transform at the middle; the corners of a grid of 10 km deviate by
+ * grid north and scales it. It agrees with the exact transform at the centre; the corners of a grid of 10 km deviate by
  * less than 0.3 m, those of 100 km by less than half of the smallest possible cell.
  *
  * @param crs the system of the coordinates
@@ -36,8 +36,8 @@ record GridGeoreference(CoordinateReferenceSystem crs, double[] matrix) {
     /**
      * The georeference of a grid.
      *
-     * @param east of its middle, m
-     * @param north of its middle, m
+     * @param east of its centre, m
+     * @param north of its centre, m
      * @param cell length of a cell's side, m
      * @param columns cells along a side
      * @throws org.dronewatch.setting.InputException where the system has no coordinates

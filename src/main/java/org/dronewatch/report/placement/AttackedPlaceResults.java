@@ -17,10 +17,10 @@ import tools.jackson.databind.node.ObjectNode;
  * What a search for placements found, and how often the layout and the scene's own sensors succeed against the same
  * attacks.
  *
- * @param found by the search
+ * @param found what the search found
  * @param plan the campaign: its variants are the layouts
- * @param result its results
- * @param again the command that gives the same figures of the campaign
+ * @param result the results of the campaign
+ * @param again the command that reproduces the figures of the campaign
  */
 public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, CampaignResult result, String again)
         implements FoundPlaceResults {
@@ -34,7 +34,7 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
         return found.isInterrupted() || !result.stopping().isReached() && !front().isWithout(LeftOut.ATTACKS);
     }
 
-    /** The contents of {@code place.json}: {@code campaign} has those of {@code campaign.json}. */
+    /** {@inheritDoc} The key {@code campaign} has the contents of {@code campaign.json}. */
     @Override
     public ObjectNode toJson() {
         ObjectNode root = found.toJson();
@@ -72,7 +72,7 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
         return sentences;
     }
 
-    /** How to get the same figures of the campaign again. */
+    /** The command that reproduces the figures of the campaign, in a sentence. */
     public String sentence() {
         return "'" + again + "' gives the same figures of the attacks, and the deciding cases.";
     }

@@ -28,7 +28,7 @@ final class HeightFigures {
                 .orElse(NONE);
     }
 
-    /** The same with the name of that sensor, unless nothing is lost without any. */
+    /** The percentage of {@link #afterWorstLoss} with the name of that sensor, unless no loss costs anything. */
     String afterNamedLoss() {
         return afterWorstLoss()
                 + worstLoss()

@@ -24,9 +24,9 @@ public interface PlaceResults {
     boolean isInterrupted();
 
     /**
-     * The same when the time limit has cut something else short.
+     * These results, marked as lacking a part that the time limit cut short.
      *
-     * @param limits of the search
+     * @param limits limits of the search
      */
     PlaceResults without(LeftOut part, SolverLimits limits);
 
@@ -54,7 +54,7 @@ public interface PlaceResults {
     /** The lines of the results: tables and sentences. */
     List<String> lines();
 
-    /** Which commands give these figures again if the scene of the layout has been written, in sentences. */
+    /** The commands that reproduce these figures if the scene of the layout has been written, in sentences. */
     List<String> reproduction();
 
     /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */

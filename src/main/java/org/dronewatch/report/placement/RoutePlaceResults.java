@@ -23,9 +23,9 @@ import tools.jackson.databind.node.ObjectNode;
  * @param layout the routes past the layout, as flown; empty if the layout has no sensor, its scene would be
  *     inconsistent, or the search was interrupted, or its time was up, before they were computed
  * @param present the routes past the scene's own sensors, as flown; empty if it has none, or for the reasons above
- * @param lost by the name of a sensor whose loss is worst, the routes past the others, as flown; none where the search
- *     has found a route past the others on which nothing detects the drone, or for the reasons above
- * @param isCut whether an interruption or the time limit has left out either of these
+ * @param lost by the name of a sensor whose loss is worst, the routes past the other sensors, as flown; none where the
+ *     search has found a route past the others on which nothing detects the drone, or for the reasons above
+ * @param isCut whether routes are missing because of an interruption or the time limit
  * @param isSettled whether the figures hold for all routes that flights have shown: if not, the layouts were compared
  *     as often as they may be
  */

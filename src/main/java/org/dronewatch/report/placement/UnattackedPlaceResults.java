@@ -10,7 +10,7 @@ import tools.jackson.databind.node.ObjectNode;
  * What a search for placements found, without the attacks that were to be flown: an interruption or the time limit
  * has left them out.
  *
- * @param found by the search
+ * @param found what the search found
  */
 public record UnattackedPlaceResults(PlaceResults found) implements FoundPlaceResults {
     @Override

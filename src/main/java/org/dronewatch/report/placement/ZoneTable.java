@@ -62,7 +62,7 @@ final class ZoneTable {
                 : PlaceTable.text("%.1f", FrontWords.PERCENT * fraction.getAsDouble());
     }
 
-    /** The same for the report. */
+    /** The section of the report. */
     String html() {
         return Html.plain(
                         "p",

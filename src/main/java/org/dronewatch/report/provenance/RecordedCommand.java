@@ -12,8 +12,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * The command that a {@code provenance.json} states, and what it was run on. The file is data that anybody may have
- * written.
+ * The command that a {@code provenance.json} states, and the inputs and the environment of its run. The file is data
+ * that anybody may have written.
  *
  * @param words the arguments of the command line
  * @param content the whole file

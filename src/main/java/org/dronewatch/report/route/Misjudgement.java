@@ -9,7 +9,7 @@ import org.dronewatch.route.SectorRoute;
  * the cause of the difference, and from there to the flight, the moments of the looks.
  */
 enum Misjudgement {
-    /** The search assesses each cell only at its middle. */
+    /** The search assesses each cell only at its centre. */
     CELLS,
 
     /**

@@ -32,7 +32,7 @@ final class RouteDirections {
         };
     }
 
-    /** The same routes: {@code the route from the north}, {@code the routes from the north and east}. */
+    /** The routes in words: {@code the route from the north}, {@code the routes from the north and east}. */
     static String routes(List<SectorRoute> routes) {
         return (routes.size() == 1 ? "the route " : "the routes ") + from(routes);
     }

@@ -21,14 +21,14 @@ public final class RoutePictures {
     private final Stage stage;
     private final RouteInputs inputs;
 
-    /** The plan of a search. */
+    /** Pictures of the results of a search. */
     public RoutePictures(Stage stage, RouteInputs inputs) {
         this.stage = stage;
         this.inputs = inputs;
     }
 
     /**
-     * The plan.
+     * The plan of the site with the weakest routes.
      *
      * @param ground as {@link MapSheet#ground} returns it
      */

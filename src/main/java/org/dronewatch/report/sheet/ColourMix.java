@@ -18,7 +18,7 @@ public final class ColourMix {
                 (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
     }
 
-    /** The same for a pixel: red, green and blue in the lowest 24 bits. */
+    /** A colour mixed with another that lies over it, for a pixel: red, green and blue in the lowest 24 bits. */
     public static int of(int below, Color above, double share) {
         return of(below, above.getRGB(), share);
     }

@@ -56,7 +56,7 @@ public final class MapSheet {
 
     /** The fill of each cell. */
     public interface Cells {
-        /** By column from the west and row from the north. */
+        /** The fill of a cell, given by its column from the west and its row from the north. */
         Fill at(int column, int row);
     }
 
@@ -70,7 +70,7 @@ public final class MapSheet {
         g.fillRect(MAP, 0, SIDE, MAP);
     }
 
-    /** The shaded ground of a grid's area, which is the same on all maps of it. */
+    /** The shaded ground of a grid's area, which is the same on all maps of that area. */
     public static int[] ground(World world, FieldGrid grid) {
         return ReliefShade.of(world, grid.east(), grid.north(), grid.columns() * grid.cell(), MAP);
     }

@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
  * the land cover of a map; both are nearly grey, so that they are not taken for the colours of sensors.
  */
 public final class ReliefShade {
-    /** Where there is no ground: paler than any ground except roads, which are paler still. */
+    /** The colour where there is no ground: paler than any ground except roads, which are paler still. */
     public static final Color NOTHING = new Color(0xeeeeee);
 
     private static final double[] LIGHT = {-0.48, 0.48, 0.734};
@@ -38,8 +38,8 @@ public final class ReliefShade {
      * The ground of a square area, on the {@link Workers} of the calling thread: red, green and blue of each pixel, row
      * by row from the north-west.
      *
-     * @param east of the middle, m
-     * @param north of the middle, m
+     * @param east of the centre, m
+     * @param north of the centre, m
      * @param side length of a side, m
      * @param pixels along a side
      */

@@ -41,7 +41,7 @@ record BegunFlight(SceneSettings settings, World world, LookSchedule schedule) {
                 .by(critical());
     }
 
-    /** The same with more estimates of the looks; see {@link LookSchedule#withEstimates}. */
+    /** This flight with more estimates of the looks; see {@link LookSchedule#withEstimates}. */
     BegunFlight withEstimates(int[] counts) {
         return new BegunFlight(settings, world, schedule.withEstimates(settings, world, counts));
     }

@@ -68,7 +68,7 @@ public final class FlownRoute {
     }
 
     /**
-     * The same with more or fewer estimates.
+     * Assesses all looks along a route, as {@link #of(SceneSettings, ModelCache)}, but with more or fewer estimates.
      *
      * @param estimates number of estimates of a look's probability, where it is estimated from random rays, as it is
      *     for microphones with the level model; at least 1, shared among the moments at which the route begins
@@ -78,7 +78,8 @@ public final class FlownRoute {
     }
 
     /**
-     * The same with enough estimates for their error to be negligible when the route is flown.
+     * Assesses all looks along a route, as {@link #of(SceneSettings, ModelCache)}, but with enough estimates for their
+     * error to be negligible when the route is flown.
      *
      * @param runs number of runs with which it is flown, at least 1
      */
@@ -108,7 +109,7 @@ public final class FlownRoute {
                 .orElseThrow();
     }
 
-    /** The same for each sensor, as if it were the only one. */
+    /** The probability that each sensor, as if it were the only one, detects the drone, 0 to 1. */
     public Map<String, Double> bySensor() {
         return bySensor(MissedLooks.Wait.UNSEEN);
     }

@@ -85,7 +85,7 @@ final class LookSchedule {
     }
 
     /**
-     * The same with more estimates, on the {@link Workers} of the calling thread.
+     * This schedule with more estimates, on the {@link Workers} of the calling thread.
      *
      * @param settings of the same scene
      * @param world of the scene
@@ -124,7 +124,7 @@ final class LookSchedule {
                 .reduce(1.0, (one, other) -> one * other);
     }
 
-    /** The same of one sensor. */
+    /** The probability that one sensor has not detected the drone on the route by a time. */
     double missed(int sensor, double until, MissedLooks.Wait wait) {
         List<ScheduledLook> own =
                 of(sensor).stream().filter(look -> look.time() <= until).toList();

@@ -104,7 +104,8 @@ final class NearbyEstimates {
     }
 
     /**
-     * The same, but no lower than if one of all the sensor's traces along the route had detected the drone.
+     * The variance of one estimate of a look, as {@link #variance}, but no lower than if one of all the sensor's traces
+     * along the route had detected the drone.
      *
      * @param flight from one of the moments at which the route begins
      * @param number of the look in its schedule

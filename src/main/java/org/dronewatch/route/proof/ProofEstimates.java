@@ -43,7 +43,7 @@ final class ProofEstimates {
     }
 
     /**
-     * The same flights with enough estimates, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
+     * Flights with enough estimates, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param flights of the same route from each of the moments at which it begins
      * @param runs number of runs with which they are compared

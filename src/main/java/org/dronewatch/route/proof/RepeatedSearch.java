@@ -18,9 +18,9 @@ import org.dronewatch.route.search.WeakestRoute;
  * The weakest routes of a site by the looks along them. First the looks along each route that the search has found are
  * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
  * search is repeated with {@link UnforeseenExposure what they have shown} added, and the looks along its routes are
- * assessed as well. Where drones are detected too late, the looks along the routes that are least exposed {@linkplain
- * SiteRoutes#throughout all the way} are assessed, too. From each sector, the weakest route is kept, in the order of
- * {@link RouteSurvey#weakestFirst}; in a tie, the one that was found first. For one thread at a time.
+ * assessed as well. Where drones are detected too late, the looks along the routes that are least exposed
+ * {@linkplain SiteRoutes#throughout all the way} are assessed, too. From each sector, the weakest route is kept, in the
+ * order of {@link RouteSurvey#weakestFirst}; in a tie, the one that was found first. For use by one thread at a time.
  */
 public final class RepeatedSearch {
     /** The greatest number of times that the search is repeated. */
@@ -53,7 +53,7 @@ public final class RepeatedSearch {
     /**
      * Assesses the looks along each route that was found, before the search is repeated.
      *
-     * @param progress receives the number of routes since the last call, of as many as there are
+     * @param progress receives the number of routes assessed since the last call, in total that of all routes
      * @throws java.util.concurrent.CancellationException if {@code looks} throws it; the routes so far are kept
      */
     public void assess(IntConsumer progress) {
@@ -63,18 +63,22 @@ public final class RepeatedSearch {
         }
     }
 
-    /** Whether there is a sector from which drones are detected too late, and for which that was not yet avoided. */
+    /**
+     * Whether there is a sector from which drones are detected too late, and for which late detections have not yet
+     * been avoided by another search.
+     */
     public boolean isTooLate() {
         return !detectedTooLate().isEmpty();
     }
 
     /**
      * Searches, for the sectors from which drones are detected too late, for the routes that are least exposed all the
-     * way, and assesses the looks along them: it may be that no more drones are detected in time on these routes, but
-     * fewer in all. This search, too, is repeated with what the looks show added. It is made once for each sector; to
-     * be called again after the search for detections in time has been {@linkplain #repeat repeated}.
+     * way, and assesses the looks along them: on these routes, the number of drones detected in time may be the same,
+     * while fewer are detected overall. This search, too, is repeated with what the looks show added. It is made once
+     * for each sector; this method has to be called again after the search for detections in time has been
+     * {@linkplain #repeat repeated}.
      *
-     * @param progress receives 1 after each search, of at most one more than {@link #MOST}
+     * @param progress receives 1 after each search, of which there are at most {@link #MOST} + 1
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
      *     kept, and so is its interrupt status
      */

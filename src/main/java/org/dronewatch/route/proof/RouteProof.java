@@ -23,12 +23,12 @@ import org.dronewatch.statistics.Proportion;
  *
  * @param detection the predicted mean probability that a run detects the drone, and the proportion of those that do
  * @param bySensor the prediction for each sensor, as if it were the only one
- * @param alertInTime the same as {@code detection} for an alert at or before the last moment that leaves enough time
- *     for the scene's response, if flight and response take exactly as long as planned; empty if the scene has no
- *     response, or where the probability cannot be computed ({@link FlownRoute#interruption})
+ * @param alertInTime as {@code detection}, but for an alert at or before the last moment that leaves enough time for
+ *     the scene's response, if flight and response take exactly as long as planned; empty if the scene has no response,
+ *     or where the probability cannot be computed ({@link FlownRoute#interruption})
  * @param plain the number of these runs, evenly spread, that were repeated as plain runs
- * @param cued proportion of runs that detected it when the first of these runs were repeated with all cues; empty if
- *     none were repeated
+ * @param cued proportion of runs that detected the drone when the first of these runs were repeated with all cues;
+ *     empty if none were repeated
  */
 public record RouteProof(
         ProvenChance detection,
@@ -92,7 +92,7 @@ public record RouteProof(
         return new Proportion(count, runs);
     }
 
-    /** The same proof with the result of {@link #withCues}. */
+    /** This proof with the result of {@link #withCues(SceneSettings, ModelCache, int, IntConsumer)}. */
     public RouteProof with(Proportion flownWithCues) {
         return new RouteProof(detection, bySensor, alertInTime, plain, Optional.of(flownWithCues));
     }
@@ -117,7 +117,7 @@ public record RouteProof(
         return detection.predicted();
     }
 
-    /** The proportion of all runs that detected it. */
+    /** The proportion of all runs that detected the drone. */
     public Proportion detections() {
         return detection.flown();
     }

@@ -28,7 +28,7 @@ public final class RouteScene {
     }
 
     /**
-     * The same route, begun later: the drone waits where it begins, which does not count for its endurance.
+     * A scene with its route begun later: the drone waits where it begins, which does not count for its endurance.
      *
      * @param scene with one drone
      * @param delay in addition, s
@@ -89,7 +89,7 @@ public final class RouteScene {
     }
 
     /**
-     * The same scene without cues: positioners only search. No sensor cues them, and they do not follow what their own
+     * A scene without its cues: positioners only search. No sensor cues them, and they do not follow what their own
      * sensors see, so that where they point does not depend on chance.
      */
     public static SceneSettings withoutCues(SceneSettings scene) {

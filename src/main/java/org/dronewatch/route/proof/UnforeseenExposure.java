@@ -13,9 +13,9 @@ import org.dronewatch.route.search.RouteGrid;
 import org.dronewatch.route.search.RouteMode;
 
 /**
- * The exposure to looks along flown routes, beyond what the search expected there. A search knows the middles of
- * cells, and prefers routes on which these happen to promise too little; with this field added to theirs, it finds
- * other routes. In each cube between nodes, the exposure that was not expected is spread over the time for the distance
+ * The exposure to looks along flown routes, beyond what the search expected there. A search knows the centres of cells,
+ * and prefers routes on which these happen to promise too little; with this field added to theirs, it finds other
+ * routes. In each cube between nodes, the exposure that was not expected is spread over the time for the distance
  * between two nodes: its rate counts at all eight corners, on all headings, and is interpolated between them. Where
  * several routes pass, the highest rate counts. Immutable and thread-safe.
  */
@@ -30,15 +30,15 @@ public final class UnforeseenExposure implements ExposureField {
         this.rates = rates;
     }
 
-    /** None, over the nodes of a grid. */
+    /** A field without exposure, over the nodes of a grid. */
     public static UnforeseenExposure none(RouteGrid grid) {
         return new UnforeseenExposure(grid, new double[grid.size()]);
     }
 
     /**
-     * This and what a route adds.
+     * This field with the unexpected exposure of one more route.
      *
-     * @param route once the looks along it have been assessed
+     * @param route a route, once the looks along it have been assessed
      * @param modes modes in which the drone flies, in the order of their numbers
      */
     public UnforeseenExposure with(SectorRoute route, List<RouteMode> modes) {
@@ -83,7 +83,7 @@ public final class UnforeseenExposure implements ExposureField {
         return sum;
     }
 
-    /** 0: this field does not raise a lower bound. */
+    /** {@inheritDoc} Always 0: this field does not raise a lower bound. */
     @Override
     public double least(Position low, Position high, int mode) {
         return 0.0;

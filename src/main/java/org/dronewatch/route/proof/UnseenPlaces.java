@@ -8,7 +8,7 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * Whether the cells of a search are small enough for its site: at how many of the {@linkplain FieldSample places} tried
- * between the middles of the cells no sensor detects a drone in one of its modes of flight, although in this mode it is
+ * between the centres of the cells no sensor detects a drone in one of its modes of flight, although in this mode it is
  * detected in every cell around them, so that even the lower bound of the exposure counts on it. A passage that is
  * narrower than a cell may lead there.
  *

@@ -13,8 +13,8 @@ import org.dronewatch.geometry.Position;
  * price, the least sum of exposure and priced time, less the price of the longest time allowed, is a lower bound on the
  * exposure along all routes that are short enough (the dual bound). Of several routes with the same sum, those between
  * the shortest and the least exposed are not found, so a gap may remain. Therefore those that are too long are also
- * {@linkplain Hastening hastened} until they are short enough. Where the limit hardly allows a detour, the
- * price would have to be very high, and {@link CorridorBound} is the better bound. For one thread at a time.
+ * {@linkplain Hastening hastened} until they are short enough. Where the limit hardly allows a detour, the price would
+ * have to be very high, and {@link CorridorBound} is the better bound. For use by one thread at a time.
  */
 public final class EnduranceLimit {
     /** The exposure for which the whole time counts at the first price. */
@@ -42,7 +42,7 @@ public final class EnduranceLimit {
     /**
      * A limit.
      *
-     * @param problem without the limit
+     * @param problem the problem without the limit
      * @param seconds longest flight under power, above 0, s
      * @param search gives the weakest routes for a price of time, 1/s
      */
@@ -139,8 +139,8 @@ public final class EnduranceLimit {
     }
 
     /**
-     * A path that takes no longer than allowed if the modes make that possible: where it is too long, it is flown
-     * faster where that costs the least exposure, whether a detection counts there or not.
+     * A path sped up to take no longer than allowed, if the modes make that possible: it is flown faster where that
+     * costs the least exposure, whether a detection counts there or not.
      */
     public RoutePath hastened(RoutePath path) {
         double excess = powered(path) - seconds;
@@ -148,7 +148,8 @@ public final class EnduranceLimit {
     }
 
     /**
-     * The same, but flown faster first where a detection does not count, and only then elsewhere.
+     * A path sped up to take no longer than allowed, as {@link #hastened}, but flown faster first where a detection
+     * does not count, and only then elsewhere.
      *
      * @param routes a search that knows what counts
      */

@@ -13,7 +13,7 @@ import org.dronewatch.parallel.Workers;
  *
  * <p>Gauss-Seidel sweeps in all orders (H. Zhao, Mathematics of Computation 74, 2005) give the function up to small
  * excesses of the gradient, mostly at corners of the field. Its values are then compressed, level by level, by the
- * greatest excess there, which makes the bound strict however far the sweeps have come. One thread.
+ * greatest excess there, which makes the bound strict however far the sweeps have come. For use by one thread.
  */
 final class ExposureBound {
     private static final int ROUNDS = 30;

@@ -32,7 +32,7 @@ public final class JoinedRoutes {
      * @param routes as found by it
      * @param starts by route, the nodes at which it may begin instead
      * @param isAllowed whether a route may replace the one that has joined another
-     * @return as many, in the same order
+     * @return one route for each of them, in the same order
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static List<WeakestRoute> of(

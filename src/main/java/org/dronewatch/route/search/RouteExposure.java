@@ -60,7 +60,7 @@ public final class RouteExposure {
         return leg(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), mode);
     }
 
-    /** The same by coordinates, m. */
+    /** The exposure along a straight leg given by coordinates, m. */
     double leg(double x, double y, double z, double toX, double toY, double toZ, int mode) {
         double dx = toX - x;
         double dy = toY - y;

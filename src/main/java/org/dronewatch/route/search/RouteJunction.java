@@ -42,7 +42,7 @@ final class RouteJunction {
     }
 
     /**
-     * The same for a way that leads nowhere else.
+     * The least exposed path that begins as one does and ends as another, and whose exposure is below a limit.
      *
      * @param most exposure of the result, exclusive
      */

@@ -42,7 +42,7 @@ public record RouteProblem(
         }
     }
 
-    /** The same if nothing is solid except the blocked nodes. */
+    /** A problem in which nothing is solid except the blocked nodes. */
     public RouteProblem(
             RouteGrid grid,
             ExposureField field,

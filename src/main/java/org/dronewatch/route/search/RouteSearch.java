@@ -50,7 +50,7 @@ public final class RouteSearch {
     }
 
     /**
-     * Searches.
+     * Searches for the least exposed routes from all nodes to the goals.
      *
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */

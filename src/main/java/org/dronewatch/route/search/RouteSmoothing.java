@@ -9,8 +9,8 @@ import org.dronewatch.geometry.Position;
 /**
  * Makes a path over the nodes of a grid less exposed: points are left out where that costs nothing, and moved where it
  * gains something, in ever smaller steps, with more points from round to round; each leg under power is flown in the
- * mode in which it is least exposed. The result can be flown wherever the
- * path could, and is not more exposed. One thread.
+ * mode in which it is least exposed. The result can be flown wherever the path could, and is not more exposed. For use
+ * by one thread.
  */
 final class RouteSmoothing {
     private static final int ROUNDS = 5;
@@ -64,7 +64,7 @@ final class RouteSmoothing {
         return of(problem, path, Optional.empty(), Optional.empty());
     }
 
-    /** The same for a path that another one continues, to whose first corner it must be able to turn. */
+    /** The smoothed path where another one continues it, to whose first corner it must be able to turn. */
     static RoutePath before(RoutePath rest, RouteProblem problem, RoutePath path) {
         Optional<Position> next = rest.modes().isEmpty()
                 ? Optional.empty()
@@ -72,7 +72,9 @@ final class RouteSmoothing {
         return of(problem, path, Optional.empty(), next);
     }
 
-    /** The same for a path that continues another one, and turns into it from a point on its last leg. */
+    /**
+     * The smoothed path where it continues another one, and is turned into from a point on the last leg of that one.
+     */
     static RoutePath after(Position before, RouteProblem problem, RoutePath path) {
         return of(problem, path, Optional.of(before), Optional.empty());
     }

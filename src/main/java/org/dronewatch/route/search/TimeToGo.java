@@ -17,7 +17,7 @@ public final class TimeToGo {
         this.least = least.clone();
     }
 
-    /** The nodes; for a site, they are in the middle of its cells, with rows counted from the south. */
+    /** The nodes; for a site, they are at the centres of its cells, with rows counted from the south. */
     public RouteGrid grid() {
         return grid;
     }

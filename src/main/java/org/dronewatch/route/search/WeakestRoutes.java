@@ -79,7 +79,8 @@ public final class WeakestRoutes {
     }
 
     /**
-     * The same, but time has a price, so that a route that is hardly more exposed, but faster, is preferred.
+     * Searches for routes to the goals as {@link #of(RouteProblem, BitSet)}, but time has a price, so that a route that
+     * is hardly more exposed, but faster, is preferred.
      *
      * @param price what each second adds to the exposure in the search, but not to the exposure of the result, 0 or
      *     more, 1/s; less than 1e-10 counts as 1e-10
@@ -88,7 +89,7 @@ public final class WeakestRoutes {
         return of(problem, reached, price, RouteEnd.AT_NODE);
     }
 
-    /** The same, but a route may arrive between nodes. */
+    /** Searches for routes to the goals; time has a price, and a route may arrive between nodes. */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price, RouteEnd arrival) {
         RouteProblem priced = priced(problem, price);
         return new WeakestRoutes(
@@ -114,7 +115,7 @@ public final class WeakestRoutes {
     }
 
     /**
-     * The same, but time has a price.
+     * Searches for routes that are least exposed for as long as a detection is in time; time has a price.
      *
      * @param price what each second adds to the exposure in the search, but not to the exposure of the result, 0 or
      *     more, 1/s; less than 1e-10 counts as 1e-10
@@ -123,7 +124,10 @@ public final class WeakestRoutes {
         return inTime(problem, reached, response, price, RouteEnd.AT_NODE);
     }
 
-    /** The same, but a route may arrive between nodes. */
+    /**
+     * Searches for routes that are least exposed for as long as a detection is in time; time has a price, and a route
+     * may arrive between nodes.
+     */
     public static WeakestRoutes inTime(
             RouteProblem problem, BitSet reached, double response, double price, RouteEnd arrival) {
         RouteProblem fastest = problem.withField(new Clock());

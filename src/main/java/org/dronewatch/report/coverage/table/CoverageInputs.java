@@ -42,12 +42,15 @@ public record CoverageInputs(
         return within().map(time -> Numbers.text(time) + " s").orElse("");
     }
 
-    /** The probability with which a sensor must detect the drone, as an end of a phrase; empty for the default. */
+    /** The probability with which a sensor must detect the drone, as the end of a phrase; empty for the default. */
     public String withProbability() {
         return withProbability(covered);
     }
 
-    /** The same for any such probability, 0.008 to 0.996, or 1. */
+    /**
+     * A probability with which a sensor must detect the drone, 0.008 to 0.996, or 1, as the end of a phrase; empty for
+     * the default.
+     */
     public static String withProbability(double covered) {
         return isDefault(covered) ? "" : " with a probability of " + Numbers.text(covered) + " or more";
     }

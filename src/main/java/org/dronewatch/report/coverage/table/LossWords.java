@@ -5,7 +5,7 @@ import java.util.Locale;
 import org.dronewatch.analysis.survey.RemainingCoverage;
 import org.dronewatch.report.file.Numbers;
 
-/** Describes what is lost at one height without some of the sensors. */
+/** Describes what is lost at one height if some of the sensors are left out. */
 public final class LossWords {
     private LossWords() {}
 

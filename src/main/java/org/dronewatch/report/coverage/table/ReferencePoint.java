@@ -12,7 +12,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.report.CompassPoint;
 
 /**
- * The point from which a report describes where something is: the middle of what is protected, or of the sensors.
+ * The point from which a report describes where something is: the centre of what is protected, or the mean position of
+ * the sensors.
  *
  * @param at its position, m
  * @param name what it is, such as {@code the centroid of the sensors}
@@ -57,7 +58,7 @@ public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy
         return Math.hypot(x - at.x(), y - at.y());
     }
 
-    /** Coordinates in the scene's frame and on earth: {@code x -44 m, y 124 m; 43.73120° N, 7.41950° E}. */
+    /** Coordinates in the scene's frame, and geographic ones: {@code x -44 m, y 124 m; 43.73120° N, 7.41950° E}. */
     String coordinates(double x, double y) {
         String plan = String.format(Locale.ROOT, "x %.0f m, y %.0f m", x + 0.0, y + 0.0);
         return plan

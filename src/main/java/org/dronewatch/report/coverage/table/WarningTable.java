@@ -66,13 +66,15 @@ public final class WarningTable {
         return time + " " + least.bearings(warnings);
     }
 
-    /** The same; if some bearings give no warning, with the least warning from the others. */
+    /**
+     * The least warning, with its bearings, and, if some bearings give no warning, the least warning from the others.
+     */
     public static String leastAndOthers(List<Warning> warnings) {
         return leastAndOthers(warnings, WarningTable::seconds);
     }
 
     /**
-     * The same.
+     * The least warning, as {@link #leastAndOthers(List)}, with times written otherwise.
      *
      * @param words writes a time, s
      */
@@ -84,7 +86,7 @@ public final class WarningTable {
                 .orElse(text);
     }
 
-    /** A time to a tenth. */
+    /** A time in seconds, to a tenth. */
     public static String seconds(double time) {
         return text("%.1f s", time);
     }

@@ -61,7 +61,7 @@ public final class Looks implements SceneListener {
         return Optional.ofNullable(kept.get(run));
     }
 
-    /** Whether a sensor ever measured a finite, nonzero value for any drone. */
+    /** Whether a sensor has measured a finite, nonzero value for any drone in any run. */
     public boolean hasReadings(String sensor) {
         return withReadings.contains(sensor);
     }
