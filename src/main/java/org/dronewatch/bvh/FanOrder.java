@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * Sorts segments with a common origin so that those of similar directions follow each other: directions, scaled to
  * length 1 along their longest axis, lie on one of the faces of a cube, whose square cells are read along Hilbert's
- * curve. For the use of one thread.
+ * curve. For use by one thread.
  */
 final class FanOrder {
     /** How many segments are sorted at a time, at most. */

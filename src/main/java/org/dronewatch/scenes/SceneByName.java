@@ -8,7 +8,7 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.input.LinkOut;
 
-/** The scene that a file names. */
+/** Finds the scene that a file names. */
 public final class SceneByName {
     private SceneByName() {}
 

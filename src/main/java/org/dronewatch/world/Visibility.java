@@ -143,9 +143,10 @@ public final class Visibility {
     }
 
     /**
-     * The same beyond a point of the segment.
+     * Finds the next surface beyond a point of the segment.
      *
-     * @param distance from the beginning, as a multiple of the vector
+     * @param distance distance of the point from the beginning, as a multiple of the vector
+     * @return whether there is one
      */
     public boolean findBeyond(double distance) {
         return find(distance + margin);
@@ -156,7 +157,7 @@ public final class Visibility {
         return tracer.triangle();
     }
 
-    /** The number of the material of the last surface, where it was found. */
+    /** The number of the material of the last surface found, at the point where it was found. */
     public int material() {
         double along = tracer.distance();
         return world.material(tracer.triangle(), x + along * dx, y + along * dy);

@@ -27,7 +27,7 @@ public final class Texts {
         return Math.rint(10.0 * metres) / 10.0 + 0.0;
     }
 
-    /** A position, m, and where it is on earth if the site has an origin there. */
+    /** A position, m, with its latitude and longitude if the site has a geographic origin. */
     public static String place(Position position, WorldSettings site) {
         if (site.origin().isEmpty()) {
             return place(position);
