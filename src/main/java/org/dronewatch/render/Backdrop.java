@@ -53,7 +53,7 @@ public final class Backdrop {
         return cut;
     }
 
-    /** Its resolution. */
+    /** The resolution of the image. */
     public Fineness fineness() {
         return fineness;
     }

@@ -39,7 +39,7 @@ public record MapArea(double west, double east, double south, double north) {
         return new MapArea(west, east, south, north);
     }
 
-    /** Whether it contains a point, degrees. */
+    /** Whether this area contains a point, degrees. */
     public boolean contains(double longitude, double latitude) {
         double turned = longitude + FULL_TURN * Math.ceil((west - longitude) / FULL_TURN);
         return latitude >= south && latitude <= north && turned <= east;

@@ -81,8 +81,8 @@ public final class MapFiles {
      *
      * @param name of the file
      * @param area features elsewhere may be left out
-     * @param withLand whether to read what covers the ground as well; in GeoJSON, areas of land cover are then not
-     *     taken for buildings
+     * @param withLand whether to read the land cover as well; in GeoJSON, areas of land cover are then not taken for
+     *     buildings
      * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area, boolean withLand) {

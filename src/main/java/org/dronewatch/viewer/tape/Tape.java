@@ -60,7 +60,7 @@ public record Tape(End from, End to) {
         return Math.hypot(along().x(), along().y());
     }
 
-    /** How much higher the end is than the beginning, m. */
+    /** The height of the end above the beginning, m. */
     public double height() {
         return along().z();
     }
