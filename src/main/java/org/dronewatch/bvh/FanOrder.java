@@ -13,7 +13,7 @@ final class FanOrder {
 
     private static final int FACES = 6;
 
-    /** The number that stands for a face if a segment is too short or too long for single precision. */
+    /** The number that represents a face if a segment is too short or too long for single precision. */
     static final int UNBOUNDED = FACES;
 
     /** How many segments there are in a cell on average. */

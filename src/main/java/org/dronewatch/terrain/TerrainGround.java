@@ -5,7 +5,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * Finds the triangles of a terrain below a point or an area. A terrain has one height at each point: its triangles do
- * not lie over one another. Immutable.
+ * not overlap in plan view. Immutable.
  */
 public final class TerrainGround {
     /**

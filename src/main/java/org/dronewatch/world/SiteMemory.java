@@ -18,7 +18,7 @@ public final class SiteMemory {
 
     /** A result that is kept; it may grow while it is in use. */
     public interface Kept {
-        /** The memory that it takes now, bytes. */
+        /** The memory that the result takes now, bytes. */
         long bytes();
     }
 

@@ -29,7 +29,10 @@ public final class Visibility {
      */
     public static final double MARGIN = 1e-5;
 
-    /** The same between points that are known to lie off all surfaces, m: above the rounding of computed distances. */
+    /**
+     * As {@link #MARGIN}, but between points that are known to lie off all surfaces, m: above the rounding of computed
+     * distances.
+     */
     private static final double MARGIN_OF_CLEAR_POINTS = 1e-10;
 
     private final World world;

@@ -6,7 +6,7 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 
 /**
- * The part of a map around a site; features elsewhere need not be kept in memory.
+ * The part of a map around a site; features outside it need not be kept in memory.
  *
  * @param west least longitude, degrees
  * @param east greatest longitude, degrees; beyond 180 where the area contains the date line

@@ -128,7 +128,7 @@ public final class ModelFile {
         return beside(sibling, MAX_BYTES_BESIDE);
     }
 
-    /** The same with another limit, bytes. */
+    /** As {@link #beside(String)}, with another limit, bytes. */
     ModelFile beside(String sibling, long maxBytes) {
         if (path == null) {
             return resource(sibling).orElseThrow(() -> new InputException("is not next to the model"));
