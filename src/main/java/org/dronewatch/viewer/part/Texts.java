@@ -46,7 +46,7 @@ public final class Texts {
                 aboveTheSea ? String.format(Locale.ROOT, ", %.1f m above sea level", there.height()) : "");
     }
 
-    /** What went wrong, in a line. */
+    /** A description of a problem, in one line. */
     public static String problem(Throwable problem) {
         if (problem instanceof InputException) {
             return problem.getMessage();
