@@ -232,7 +232,7 @@ final class CoverageCommand implements Callable<Integer> {
         return new FieldRequest(settings, stage, id, grid, courses, field.choice(), field.terms(), field.covered());
     }
 
-    /** The same cells under a condition. */
+    /** The request for the same cells under a condition. */
     private FieldRequest under(ConditionedScene condition, FieldRequest asItIs, SceneRunner runner) {
         try {
             Stage stage = runner.stage(condition.settings());

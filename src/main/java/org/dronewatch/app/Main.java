@@ -216,7 +216,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
         return problem instanceof InputException ? ExitCode.BAD_INPUT : ExitCode.FAILED;
     }
 
-    /** Fails, and lists the commands: none has been given. */
+    /** Fails with a list of the commands, because none was given. */
     @Override
     public void run() {
         throw new ParameterException(

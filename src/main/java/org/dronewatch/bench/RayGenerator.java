@@ -44,12 +44,12 @@ public final class RayGenerator {
         this.up = up;
     }
 
-    /** A picture of 1024 x 768 pixels, 90 degrees wide. */
+    /** The rays of a picture of 1024 x 768 pixels, 90 degrees wide. */
     public RaySet camera() {
         return camera(WIDTH, HEIGHT);
     }
 
-    /** A picture, 90 degrees wide. */
+    /** The rays of a picture of a given size in pixels, 90 degrees wide. */
     public RaySet camera(int width, int height) {
         AABB box = tree.bounds();
         Point3d center = box.center();

@@ -3,16 +3,16 @@ package org.dronewatch.bench;
 /**
  * A set of rays for measurements.
  *
- * @param name their kind: {@code camera}, {@code diffuse} or {@code file}
+ * @param name kind of the rays: {@code camera}, {@code diffuse} or {@code file}
  * @param rays six floats each: origin, then direction
- * @param width pixels in a row when the rays are a picture, row by row; 0 when they are not
- * @param query what is asked of each ray
+ * @param width pixels in a row if the rays are those of a picture, row by row; otherwise 0
+ * @param query what is to be found for each ray
  */
 public record RaySet(String name, float[] rays, int width, Query query) {
     /** The number of floats of a ray. */
     public static final int FLOATS = 6;
 
-    /** What is asked of a ray. */
+    /** What is to be found for a ray. */
     public enum Query {
         /** The nearest triangle along it. */
         NEAREST,

@@ -23,7 +23,7 @@ public enum TraversalKind {
     /** One ray at a time, stackless, leaf by leaf from the root. */
     SEQUENTIAL;
 
-    /** This kind, or the one that it stands for with a set of rays. */
+    /** The traversal that this kind uses for a set of rays. */
     TraversalKind of(RaySet set) {
         return switch (this) {
             case FASTEST -> set.width() > 0 ? TILES : FAN.of(set);
@@ -48,7 +48,7 @@ public enum TraversalKind {
         };
     }
 
-    /** Its name on the command line. */
+    /** The name of this kind on the command line. */
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT);

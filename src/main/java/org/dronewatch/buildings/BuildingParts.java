@@ -73,12 +73,12 @@ final class BuildingParts {
         return owners.getOrDefault(building, building);
     }
 
-    /** Whether parts stand for the whole of an outline, so that it is not built itself. */
+    /** Whether parts represent the whole of an outline, so that it is not built itself. */
     boolean replace(Building outline) {
         return covered(outline) >= WHOLE;
     }
 
-    /** Whether parts stand for some of an outline, but not for the whole. */
+    /** Whether parts represent some of an outline, but not the whole. */
     boolean replaceSomeOf(Building outline) {
         return parts.containsKey(outline) && !replace(outline);
     }

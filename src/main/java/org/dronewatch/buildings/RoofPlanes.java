@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
  * @param planes with no two the same
  */
 record RoofPlanes(List<Slope> planes) {
-    /** How many flat rings stand for the curve of a dome. */
+    /** How many flat rings approximate the curve of a dome. */
     static final int RINGS_OF_A_DOME = 6;
 
     private static final double SAME = 1e-9;

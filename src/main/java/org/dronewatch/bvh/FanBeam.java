@@ -8,7 +8,7 @@ import jdk.incubator.vector.VectorSpecies;
 /**
  * Segments with a common origin and nearly the same direction, which are traced together. Each is a lane of the
  * processor's vectors: its direction, scaled to length 1 along that axis along which all are longest, and its length
- * along that axis. For the use of one thread.
+ * along that axis. For use by one thread.
  */
 final class FanBeam {
     /** Lanes of a vector. */

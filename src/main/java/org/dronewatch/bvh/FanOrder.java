@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * Sorts segments with a common origin so that those of similar directions follow each other: directions, scaled to
  * length 1 along their longest axis, lie on one of the faces of a cube, whose square cells are read along Hilbert's
- * curve. For the use of one thread.
+ * curve. For use by one thread.
  */
 final class FanOrder {
     /** How many segments are sorted at a time, at most. */
@@ -13,7 +13,7 @@ final class FanOrder {
 
     private static final int FACES = 6;
 
-    /** The number that stands for a face if a segment is too short or too long for single precision. */
+    /** The number that represents a face if a segment is too short or too long for single precision. */
     static final int UNBOUNDED = FACES;
 
     /** How many segments there are in a cell on average. */

@@ -5,7 +5,7 @@ import org.dronewatch.kdtree.RayTracer;
 /**
  * Four rays, unrelated to each other, that are traced together. Each hits what it would hit alone (see
  * {@link TracingIndex#newIncoherentRayTracer()}), at the same distance; inside a convex room, the distance may differ
- * by rounding. What it hits does not depend on the other rays. For the use of one thread.
+ * by rounding. What it hits does not depend on the other rays. For use by one thread.
  */
 public abstract class RayPacket {
     /** Number of rays. */
@@ -39,9 +39,9 @@ public abstract class RayPacket {
     public abstract void set(int ray, double ox, double oy, double oz, double dx, double dy, double dz);
 
     /**
-     * Finds the nearest triangle along each of the first rays.
+     * Finds the nearest triangle along each of the first {@code count} rays.
      *
-     * @param count their number, 1 to 4
+     * @param count number of rays to trace, 1 to 4
      */
     public abstract void trace(int count);
 

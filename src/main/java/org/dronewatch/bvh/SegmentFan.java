@@ -5,11 +5,11 @@ import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Determines which of many segments with a common origin are blocked: the lines of sight from a sensor to many places.
+ * Determines which of many segments with a common origin are blocked: the lines of sight from a sensor to many points.
  * The answers are those of {@link RayTracer#isOccluded} for each segment, except where nothing is skipped at the ends
- * of a segment that begins or ends on a triangle: rounding decides there, for single rays, too. Segments of similar
- * directions are traced together, in whatever order they are given; those that single precision cannot decide are
- * traced again, one by one. For the use of one thread.
+ * of a segment that begins or ends on a triangle: rounding decides there, as it does for single rays. Segments of
+ * similar directions are traced together, in whatever order they are given; those that single precision cannot decide
+ * are traced again, one by one. For use by one thread.
  */
 public final class SegmentFan {
     private final RayTracer single;

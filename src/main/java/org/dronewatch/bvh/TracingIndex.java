@@ -66,8 +66,8 @@ public final class TracingIndex {
     }
 
     /**
-     * A new ray tracer for single rays, for the use of one thread: a stack-based traversal of the kd-tree, unless set
-     * otherwise.
+     * A new ray tracer for single rays, for use by one thread: a stack-based traversal of the kd-tree, unless the
+     * settings choose another one.
      */
     public RayTracer newRayTracer() {
         return newRayTracer(tree);
@@ -79,8 +79,8 @@ public final class TracingIndex {
     }
 
     /**
-     * A new ray tracer for incoherent rays, which are unrelated to each other, such as those of diffuse sound, for the
-     * use of one thread. Where the processor's vector instructions can be used
+     * A new ray tracer for incoherent rays, which are unrelated to each other, such as those of diffuse sound, for use
+     * by one thread. Where the processor's vector instructions can be used
      * ({@code --add-modules jdk.incubator.vector}), it is three to four times as fast in large models, once the BVH has
      * been built (in parallel if threads are available); otherwise this returns the same tracer as
      * {@link #newRayTracer()}. Both find the same hits; where triangles meet at the very point that a ray hits, they
@@ -118,7 +118,7 @@ public final class TracingIndex {
     }
 
     /**
-     * A new tracer of segments with a common origin, for the use of one thread. It is faster than single rays where the
+     * A new tracer of segments with a common origin, for use by one thread. It is faster than single rays where the
      * processor's vector instructions can be used; the answers are the same.
      */
     public SegmentFan newSegmentFan() {

@@ -29,7 +29,10 @@ import org.dronewatch.sensor.thermal.ThermalSettings;
 import org.dronewatch.setting.Kind;
 import org.dronewatch.setting.KindGroup;
 
-/** The kinds of the library. */
+/**
+ * The kinds of settings that belong to the library: sensors, detection functions, flights, emissions and propagation
+ * models.
+ */
 public final class BuiltInKinds implements KindGroup {
     @Override
     public List<Kind<?>> kinds() {

@@ -245,7 +245,7 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The user's file of a name: whatever has the name is meant, even if it cannot be read as a file, which the message
+     * The user's file of a name: whatever has the name is used, even if it cannot be read as a file, which the message
      * then states.
      */
     private Optional<Path> ownFile(String name) {

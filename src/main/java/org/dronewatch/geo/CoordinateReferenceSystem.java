@@ -58,8 +58,8 @@ public final class CoordinateReferenceSystem {
     }
 
     /**
-     * Longitude and latitude in degrees on the ellipsoid of GPS. Found when first asked for: most scenes have no map
-     * and should not load PROJ4J's classes.
+     * Longitude and latitude in degrees on the ellipsoid of GPS. Looked up on first use: most scenes have no map and
+     * should not load PROJ4J's classes.
      */
     public static CoordinateReferenceSystem wgs84() {
         return of("EPSG:4326");
@@ -96,20 +96,20 @@ public final class CoordinateReferenceSystem {
         }
     }
 
-    /** Its code, such as {@code EPSG:25832}. */
+    /** The code of the system, such as {@code EPSG:25832}. */
     public String name() {
         return name;
     }
 
-    /** Whether its coordinates are longitude and latitude in degrees. */
+    /** Whether the coordinates are longitude and latitude in degrees. */
     public boolean isGeographic() {
         return system.getProjection().isGeographic();
     }
 
     /**
-     * The length of the unit of its coordinates, m: 1 for most grids, 0.3048 for those in feet.
+     * The length of the unit of the coordinates, m: 1 for most grids, 0.3048 for those in feet.
      *
-     * @throws IllegalStateException if its coordinates are {@linkplain #isGeographic() degrees}
+     * @throws IllegalStateException if the coordinates are {@linkplain #isGeographic() degrees}
      */
     public double unitLength() {
         if (isGeographic()) {

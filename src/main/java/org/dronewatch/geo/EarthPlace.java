@@ -7,14 +7,14 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place by latitude and longitude (WGS 84), which scene files may give instead of a position: {@code {latitude:
- * 43.7314 deg, longitude: 7.4202 deg, above: 10 m}}. Without {@code above} and {@code height}, it lies on the highest
- * surface there.
+ * A place by latitude and longitude (WGS 84), which scene files may give instead of a position:
+ * {@code {latitude: 43.7314 deg, longitude: 7.4202 deg, above: 10 m}}. Without {@code above} and {@code height}, it
+ * lies on the highest surface there.
  *
  * @param latitude latitude, north of the equator, rad
  * @param longitude longitude, east of Greenwich, rad
  * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
- * @param height height above sea level, measured like the height of the origin, -100 to 100 km, m
+ * @param height height above sea level, measured from the same level as the height of the origin, -100 to 100 km, m
  */
 public record EarthPlace(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,

@@ -8,14 +8,15 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place by its name on a map, which scene files may give instead of a position: {@code {feature: north gate, above: 3
- * m}}. Without {@code above} and {@code height}, it has the height in the file, or lies on the highest surface there.
+ * A place by its name on a map, which scene files may give instead of a position:
+ * {@code {feature: north gate, above: 3 m}}. Without {@code above} and {@code height}, it has the height in the file,
+ * or lies on the highest surface there.
  *
  * @param feature name of a point in a GeoJSON or KML file
  * @param file the GeoJSON or KML file; by default the one next to the scene file, with the same name but ending in
  *     {@code .geojson} or {@code .kml}
  * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
- * @param height height above sea level, measured like the height of the origin, -100 to 100 km, m
+ * @param height height above sea level, measured from the same level as the height of the origin, -100 to 100 km, m
  */
 public record FeaturePlace(
         String feature,

@@ -26,7 +26,7 @@ public record MapExtent(double west, double east, double south, double north) {
     /** Metres in a degree of latitude, roughly. */
     private static final double DEGREE = 111_000.0;
 
-    /** Collects points, one by one. For one thread. */
+    /** Collects points, one by one. For use by one thread. */
     public static final class Collector {
         private double west = Double.POSITIVE_INFINITY;
         private double east = Double.NEGATIVE_INFINITY;
@@ -108,8 +108,8 @@ public record MapExtent(double west, double east, double south, double north) {
     }
 
     /**
-     * Why a site may lie outside: its coordinates or those of the file are swapped, belong to another system, or have
-     * no reference to the earth. Begins with a semicolon; empty if nothing suggests a mistake.
+     * Why a site may lie outside this extent: its coordinates or those of the file are swapped, belong to another
+     * system, or have no reference to the earth. Begins with a semicolon; empty if nothing suggests a mistake.
      *
      * @param map from which the points come
      * @param origin of the site

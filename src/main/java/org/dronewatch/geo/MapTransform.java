@@ -17,9 +17,10 @@ import org.locationtech.proj4j.ProjCoordinate;
  * <p>Heights are above sea level, and unchanged by a change of datum. One per thread.
  */
 public final class MapTransform {
-    /** How well both directions must agree: far below a micrometre, in metres, feet or degrees. */
+    /** Limit of the heights that are transformed, m. */
     private static final double HIGHEST = 1e9;
 
+    /** How well both directions must agree: far below a micrometre, in metres, feet or degrees. */
     private static final double METRES = 1e-8;
 
     private static final double DEGREES = 1e-13;
@@ -60,7 +61,7 @@ public final class MapTransform {
      *
      * @param x to the east, in the unit of the system
      * @param y to the north, in the unit of the system
-     * @param height m; it is unchanged
+     * @param height height, m; unchanged
      * @throws InputException when the point is outside the domain of the system
      */
     public GeoPoint onEarth(double x, double y, double height) {

@@ -73,7 +73,7 @@ public final class CutTriangle {
         return first;
     }
 
-    /** The other end of that segment. */
+    /** The other end of the segment that was found last, in the same form as {@link #first()}. */
     public double[] second() {
         return second;
     }

@@ -98,8 +98,8 @@ public record Position(
     }
 
     /**
-     * The same as the method generated for a record. Written out because positions are compared often, and the JIT
-     * compiler takes long to compile the generated one.
+     * Compares the coordinates as the method generated for a record would. Written out because positions are compared
+     * often, and the JIT compiler takes long to compile the generated one.
      */
     @Override
     public boolean equals(Object other) {

@@ -75,7 +75,7 @@ public final class KDTree {
         return new KDTreeBuilder(mesh, costs).build(task);
     }
 
-    /** The costs with which it was built. */
+    /** The costs with which this tree was built. */
     public SahCost costs() {
         return costs;
     }

@@ -133,9 +133,9 @@ public abstract class RayTracer {
     protected abstract void trace(double tMin, double tMax, boolean anyHit);
 
     /**
-     * Rejects edge-on triangles: whether the ray misses a triangle although all edge functions have the same sign; for
-     * the kernel's packages, which check their hits with it. The corners are relative to the ray, sheared so that the
-     * ray is at the origin.
+     * Whether the ray misses a triangle although all edge functions have the same sign, which happens only for edge-on
+     * triangles; for the kernel's packages, which check their hits with it. The corners are relative to the ray,
+     * sheared so that the ray is at the origin.
      */
     protected static boolean isBeside(double ax, double ay, double bx, double by, double cx, double cy) {
         return TriangleIntersection.isBeside(ax, ay, bx, by, cx, cy);

@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * The surface area heuristic: the expected cost of a ray through a node, in any unit of work; only the ratio of the two
- * costs matters. After Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log N)"
- * (2006), equations 1 to 5, where they are called KT and KI.
+ * costs matters. Following Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log
+ * N)" (2006), equations 1 to 5, where the costs are called KT and KI.
  *
  * @param traversal cost of one traversal step, 0.001 to 1000
  * @param intersection cost of one triangle test, 0.001 to 1000
@@ -16,16 +16,16 @@ import org.dronewatch.setting.Quantity;
 public record SahCost(
         @In(value = Quantity.NUMBER, from = SahCost.LEAST, to = SahCost.MOST) double traversal,
         @In(value = Quantity.NUMBER, from = SahCost.LEAST, to = SahCost.MOST) double intersection) {
-    /** The least cost of either. */
+    /** The least value of either cost. */
     public static final double LEAST = 0.001;
-    /** The greatest cost of either. */
+    /** The greatest value of either cost. */
     public static final double MOST = 1000.0;
 
     /**
-     * Costs 4 and 1.5. Measured, not derived from operation counts: a step waits for its node and for an unpredictable
-     * branch, while a triangle test is plain arithmetic; and the tiles of cameras test a triangle once for many pixels.
-     * With 3 instead of 4, single rays are up to 10 % faster, tiles slower by as much, and trees take 25 % longer to
-     * build; 6 has the opposite effects.
+     * A traversal cost of 4 and an intersection cost of 1.5: measured, not derived from operation counts. A step waits
+     * for its node and for an unpredictable branch, while a triangle test is plain arithmetic; and the tiles of cameras
+     * test a triangle once for many pixels. With a traversal cost of 3, single rays are up to 10 % faster, tiles slower
+     * by as much, and trees take 25 % longer to build; 6 has the opposite effects.
      */
     public static final SahCost DEFAULT = new SahCost(4.0, 1.5);
 

@@ -1,7 +1,7 @@
 package org.dronewatch.kdtree;
 
 /**
- * A ray tracer without a stack, after the sequential traversal of Hapala and Havran, "Review: kd-tree traversal
+ * A ray tracer without a stack, following the sequential traversal of Hapala and Havran, "Review: kd-tree traversal
  * algorithms for ray tracing" (2011): it finds a leaf by descending from the root, tests it, continues with the next
  * leaf along the ray, and so on. It is slower than {@link StackTraversal} and kept as an independent check.
  *
@@ -31,7 +31,7 @@ public final class SequentialTraversal extends KDTraversal {
     private double entry;
     private double exit;
 
-    /** A ray tracer of a tree for the use of one thread. */
+    /** A ray tracer of a tree for use by one thread. */
     public SequentialTraversal(KDTree tree) {
         super(tree);
     }

@@ -44,9 +44,9 @@ public final class SightCone {
     /**
      * Whether it is certain that no triangle comes near a line of sight, up to the far side of the sphere.
      *
-     * @param at the middle of the sphere, m
+     * @param at the centre of the sphere, m
      * @param radius of the sphere, m
-     * @return false if one may, or if the point is close to the sphere
+     * @return false if a triangle may come near, or if the point is close to the sphere
      */
     public boolean isClear(Position at, double radius) {
         if (!at.equals(asked) || radius != askedRadius) {

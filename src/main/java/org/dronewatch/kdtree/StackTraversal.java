@@ -14,7 +14,7 @@ public final class StackTraversal extends KDTraversal {
     /** The leaf with the triangle that hid the last segment of which any hit was asked; empty if nothing did. */
     private long obstacle = NOTHING;
 
-    /** A ray tracer of a tree for the use of one thread. */
+    /** A ray tracer of a tree for use by one thread. */
     public StackTraversal(KDTree tree) {
         super(tree);
         int size = tree.depth() + 1;

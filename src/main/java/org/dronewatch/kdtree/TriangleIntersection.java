@@ -108,9 +108,9 @@ final class TriangleIntersection {
     }
 
     /**
-     * Rejects edge-on triangles: whether a ray misses a triangle although all edge functions have the same sign,
-     * because all corners are on one side of it. Seen edge-on, a triangle has edge functions that are zero or mere
-     * rounding errors, along the whole line through its corners.
+     * Whether a ray misses an edge-on triangle although all edge functions have the same sign, because all corners are
+     * on one side of it. Seen edge-on, a triangle has edge functions that are zero or mere rounding errors, along the
+     * whole line through its corners.
      *
      * <p>As watertight as the test itself: it is exact for the corners after shearing, which adjacent triangles have in
      * common. A rejected triangle contains no point of the ray, so the triangle that does contain it is another one.

@@ -27,7 +27,7 @@ record Airfoil(double camber, double thickness) {
      * @param chord length from the leading to the trailing edge, metres, straight backward
      */
     record Station(Point nose, double chord) {
-        /** The same on the other side of the model's plane of symmetry. */
+        /** This station mirrored at the model's plane of symmetry. */
         Station mirrored() {
             return new Station(new Point(-nose.x(), nose.y(), nose.z()), chord);
         }

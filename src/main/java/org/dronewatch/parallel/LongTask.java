@@ -45,7 +45,7 @@ public final class LongTask implements AutoCloseable {
         this.every = every;
     }
 
-    /** From now on, a watcher is shown the tasks that the calling thread begins; null for nobody. */
+    /** Sets the watcher of the tasks that the calling thread begins from now on; null for none. */
     public static void watch(Watcher watcher) {
         if (watcher == null) {
             WATCHER.remove();

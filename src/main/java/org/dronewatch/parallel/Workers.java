@@ -34,7 +34,7 @@ public final class Workers implements AutoCloseable {
     private final Set<Thread> helping = ConcurrentHashMap.newKeySet();
     private volatile Thread caller;
 
-    /** While the caller waits, its own interrupt is cleared: this stands for it. */
+    /** While the caller waits, its own interrupt is cleared and recorded here. */
     private volatile boolean callerInterrupted;
 
     /**

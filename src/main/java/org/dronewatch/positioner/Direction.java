@@ -16,7 +16,7 @@ public record Direction(double azimuth, double elevation) {
                 Math.atan2(vector.x(), vector.y()), Math.atan2(vector.z(), Math.hypot(vector.x(), vector.y())));
     }
 
-    /** The unit vector. */
+    /** The unit vector in this direction. */
     public Position unit() {
         double level = Math.cos(elevation);
         return new Position(level * Math.sin(azimuth), level * Math.cos(azimuth), Math.sin(elevation));

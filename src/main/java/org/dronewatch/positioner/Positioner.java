@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * A positioner during a run, with its direction, its cues and the contact that it follows. Sightings by its own sensor
- * and detections by the sensors that cue it take effect from the next look on. For one run and one thread.
+ * and detections by the sensors that cue it take effect from the next look on. For one run, and for use by one thread.
  */
 public final class Positioner {
     /**
@@ -93,9 +93,9 @@ public final class Positioner {
     /**
      * Records that another sensor has detected a contact.
      *
-     * @param contact its number
+     * @param contact number of the contact
      * @param sighting the position or direction that the sensor estimated
-     * @param detected when it detected it, s
+     * @param detected time at which that sensor detected the contact, s
      */
     public void cue(int contact, Sighting sighting, double detected) {
         cues.add(new Cue(detected + settings.delay(), contact, sighting, detected));

@@ -99,7 +99,7 @@ public record PositionerSettings(
     }
 
     /**
-     * Its pointing once it has turned to a position and zoomed in as far as possible.
+     * The pointing of the positioner once it has turned to a position and zoomed in as far as possible.
      *
      * @param from position of the positioner, m
      * @param target the position to which it turns, m

@@ -21,7 +21,7 @@ public record RangeSearch(
         @In(value = Quantity.LENGTH, from = 0.01, to = 100) double minSize,
         @In(value = Quantity.LENGTH, from = 0.01, to = 100) double maxSize,
         @In(value = Quantity.DURATION, from = 0, to = 60) double dwell) {
-    /** A search from 50 m on for drones of 0.1 to 0.6 m, with 0.2 s at each stop; these values are assumed. */
+    /** A search from 50 m outwards for drones of 0.1 to 0.6 m, with 0.2 s at each stop; these values are assumed. */
     @Defaults
     public static final RangeSearch DEFAULT = new RangeSearch(50.0, 0.1, 0.6, 0.2);
 

@@ -16,7 +16,7 @@ public sealed interface SearchPattern {
      */
     Direction at(Direction aim, double time);
 
-    /** The time after which it repeats itself, s; 0 if it does not move. */
+    /** The time after which the pattern repeats itself, s; 0 if it does not move. */
     double period();
 
     /** A triangle wave: the position between 0 and a length after a distance travelled back and forth. */

@@ -36,13 +36,13 @@ public final class TileTracer {
     private double far = Double.POSITIVE_INFINITY;
     private final RasterWarmup warmup;
 
-    /** A tracer of a tree for the use of one thread, with the warm-up of the process. */
+    /** A tracer of a tree for use by one thread, with the warm-up of the process. */
     public TileTracer(KDTree tree) {
         this(tree, RasterWarmup.OF_PROCESS);
     }
 
     /**
-     * A tracer of a tree for the use of one thread.
+     * A tracer of a tree for use by one thread.
      *
      * @param warmup counts pixels of large models; once it is over, vector instructions are used
      */
@@ -51,7 +51,7 @@ public final class TileTracer {
     }
 
     /**
-     * A tracer that traces each pixel's ray separately, for the use of one thread.
+     * A tracer that traces each pixel's ray separately, for use by one thread.
      *
      * @param single traces rays in the tree
      */
@@ -163,7 +163,7 @@ public final class TileTracer {
         return pixels.hits(column, row);
     }
 
-    /** Ray parameter of the hit of a pixel of the last tile; infinity for none. */
+    /** Ray parameter of the hit of a pixel of the last tile; infinity if there is none. */
     public double parameter(int column, int row) {
         return pixels.parameter(column, row);
     }

@@ -53,7 +53,7 @@ public final class Backdrop {
         return cut;
     }
 
-    /** Its resolution. */
+    /** The resolution of the image. */
     public Fineness fineness() {
         return fineness;
     }
@@ -87,7 +87,7 @@ public final class Backdrop {
                 orbit, width, height, cut, fineness, orbit.camera(width, height), canvas.shrunk(width, height));
     }
 
-    /** The same view with other colours. */
+    /** This view with other colours. */
     Backdrop withCanvas(Canvas other) {
         return new Backdrop(orbit, width, height, cut, fineness, camera, other);
     }

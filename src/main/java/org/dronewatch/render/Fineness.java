@@ -13,7 +13,7 @@ public enum Fineness {
 
     /** Rays along a side of a block of pixels. */
     final int rays;
-    /** Pixels along a side of such a block. */
+    /** Pixels along a side of a block of pixels. */
     final int pixels;
 
     final boolean shadows;

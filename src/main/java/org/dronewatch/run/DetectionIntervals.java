@@ -10,16 +10,16 @@ import java.util.Set;
 import org.dronewatch.sensor.Observation;
 
 /**
- * The intervals during which each sensor holds a drone in one run, from the event in which the sensor gains it to that
- * in which it loses it. Times are times of reception: sound counts from its arrival at the sensor. Events are added in
- * order of time. Not thread-safe.
+ * The intervals during which each sensor detects a drone in one run, from the event in which the sensor gains detection
+ * of the drone to that in which it loses it. Times are times of reception: sound counts from its arrival at the sensor.
+ * Events are added in order of time. Not thread-safe.
  */
 public final class DetectionIntervals {
     private final Map<List<String>, List<DetectionEvent>> ofPairs = new HashMap<>();
     private final Map<String, Held> ofSensors = new HashMap<>();
 
     /**
-     * An interval during which a sensor holds at least one drone.
+     * An interval during which a sensor detects at least one drone.
      *
      * @param from seconds since the start of the run
      * @param to seconds since the start of the run, not before {@code from}
@@ -42,8 +42,8 @@ public final class DetectionIntervals {
     }
 
     /**
-     * Whether a sensor holds a drone at a time: true from the moment at which the sensor gains it, false from the
-     * moment at which it loses it.
+     * Whether a sensor detects a drone at a time: true from the moment at which the sensor gains detection, false from
+     * the moment at which it loses it.
      *
      * @param time seconds since the start of the run
      */
@@ -59,9 +59,9 @@ public final class DetectionIntervals {
     }
 
     /**
-     * The intervals during which a sensor holds any drone.
+     * The intervals during which a sensor detects at least one drone.
      *
-     * @param end the end of an interval in which a drone is still held, seconds since the start of the run
+     * @param end the end of an interval in which a drone is still detected, seconds since the start of the run
      */
     public List<Interval> ofSensor(String sensor, double end) {
         Held held = ofSensors.get(sensor);
@@ -69,8 +69,8 @@ public final class DetectionIntervals {
     }
 
     /**
-     * The observation at which a sensor last lost a drone and did not regain it; empty if the sensor never held the
-     * drone or still holds it.
+     * The observation at which a sensor finally lost detection of a drone; empty if the sensor never detected the drone
+     * or still detects it.
      */
     public Optional<Observation> lostForGood(String sensor, String drone) {
         List<DetectionEvent> events = ofPairs.getOrDefault(List.of(sensor, drone), List.of());
@@ -79,7 +79,7 @@ public final class DetectionIntervals {
                 : Optional.of(events.get(events.size() - 1).observation());
     }
 
-    /** What one sensor holds. */
+    /** The detections of one sensor. */
     private static final class Held {
         private final List<Interval> closed = new ArrayList<>();
         private final Set<String> drones = new HashSet<>();

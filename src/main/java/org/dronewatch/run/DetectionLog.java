@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
 
-/** Records when sensors gain and lose drones in one run, and their first and farthest detections. */
+/** Records when sensors gain and lose detection of drones in one run, and their first and farthest detections. */
 public final class DetectionLog {
     private final int run;
     private final Consumer<DetectionEvent> target;
@@ -64,7 +64,7 @@ public final class DetectionLog {
         }
     }
 
-    /** The events in which a sensor gained or lost a drone. */
+    /** The events in which a sensor gained or lost detection of a drone. */
     public List<DetectionEvent> events() {
         return List.copyOf(events);
     }

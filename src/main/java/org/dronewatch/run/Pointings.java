@@ -11,14 +11,14 @@ public final class Pointings {
     private final Map<String, TreeMap<Double, Pointing>> known = new HashMap<>();
     private final double interval;
 
-    /** A record of every look. */
+    /** A record of the pointings at every look. */
     public Pointings() {
         this(0.0);
     }
 
     /**
-     * A record of the last look in each interval, so that memory stays bounded: {@link #at} is exact at whole multiples
-     * of the interval.
+     * A record of the pointings at the last look in each interval, so that memory stays bounded: {@link #at} is exact
+     * at whole multiples of the interval.
      *
      * @param interval s; 0 for every look
      */

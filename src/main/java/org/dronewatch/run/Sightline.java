@@ -16,7 +16,7 @@ import org.dronewatch.world.World;
 public final class Sightline {
     private final Visibility visibility;
 
-    /** Lines of sight in a world, for one thread. */
+    /** Lines of sight in a world, for use by one thread. */
     public Sightline(World world) {
         this.visibility = new Visibility(world);
     }

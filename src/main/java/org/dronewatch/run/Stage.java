@@ -323,7 +323,7 @@ public final class Stage {
     }
 
     /**
-     * Draws the curves of every sensor for each drone.
+     * Computes the {@linkplain CurveSensor#curves curves}, such as spectra, of every sensor for each drone.
      *
      * @param time where the drones are, seconds since the start of the run
      * @param target receives the name of a sensor with each of its curves

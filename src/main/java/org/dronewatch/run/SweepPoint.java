@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
  * @param parameter path of the setting that changes
  * @param value its value in this run: a number in the setting's unit, or a text
  * @param sensor name of a sensor
- * @param range the greatest distance, over all drones, at which it first detected one, m; empty if it detected none
+ * @param range the greatest distance, over all drones, at which the sensor first detected one, m; empty if it detected
+ *     none
  */
 public record SweepPoint(String parameter, Object value, String sensor, OptionalDouble range) {}

@@ -24,7 +24,7 @@ public final class ZoneApproach {
     private final double reach;
 
     /**
-     * An approach.
+     * The approach of a flight to protected zones.
      *
      * @param path the flight
      * @param zone the protected zones: not empty

@@ -28,7 +28,7 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
         models = Collections.unmodifiableMap(new LinkedHashMap<>(models));
     }
 
-    /** The input of a run whose settings come from no known file. */
+    /** The input of a run whose settings do not come from a known file. */
     public static InputFiles of(SceneSettings settings) {
         return new InputFiles(FileHash.ofText(CanonicalSettings.of(settings)), List.of(), Map.of());
     }

@@ -82,7 +82,7 @@ public final class SceneBuilder {
         light = other;
     }
 
-    /** Sets where on earth the origin is. */
+    /** Sets the geographic position of the origin. */
     public void setOrigin(Origin other) {
         origin = Optional.of(other);
     }

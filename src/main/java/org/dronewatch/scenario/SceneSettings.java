@@ -181,7 +181,7 @@ public record SceneSettings(
         return SwarmExpansion.of(drones);
     }
 
-    /** The ids of those that are birds instead of drones. */
+    /** The ids of the {@linkplain #individualDrones() individual drones} that are birds. */
     public Set<String> birds() {
         Set<String> birds = new LinkedHashSet<>();
         individualDrones().forEach((id, drone) -> {

@@ -16,7 +16,7 @@ public sealed interface SweepSettings {
     String parameter();
 
     /**
-     * Its values, written as for {@code --set}.
+     * The values of the sweep, written as for {@code --set}.
      *
      * @param quantity quantity of the setting, such as an angle
      * @throws IllegalArgumentException if a value is not a valid value of that quantity

@@ -202,7 +202,10 @@ final class ConfiguredScene {
         return placeOf(path, set -> path.equals(set) || path.startsWith(set + "."));
     }
 
-    /** The same for a file that a setting names: an error in the file is not due to an override of its scale. */
+    /**
+     * The beginning of a message about a file that a setting names: an error in the file is not due to an override of
+     * its scale.
+     */
     String placeOfFile(String path) {
         return placeOf(path, set -> set.equals(path) || set.equals(path + ".file"));
     }

@@ -39,17 +39,17 @@ public final class DroneInFlight {
         this.clock = clock;
     }
 
-    /** Its name in the scene. */
+    /** The name of the drone in the scene. */
     public String id() {
         return id;
     }
 
-    /** Whether commands change how it flies. */
+    /** Whether commands change the flight of the drone. */
     public boolean isSteered() {
         return SteeredFlight.in(path).isPresent();
     }
 
-    /** Its position and motion now, with all commands so far. */
+    /** The drone's position and motion now, with all commands so far. */
     public FlightState state() {
         double now = clock.getAsDouble();
         steering.advance(now);
@@ -57,7 +57,7 @@ public final class DroneInFlight {
     }
 
     /**
-     * Its position and motion at a time.
+     * The drone's position and motion at a time.
      *
      * @param time seconds since the start of the run
      * @throws InputException when the time is negative, not finite, or, for a steered drone, yet to come

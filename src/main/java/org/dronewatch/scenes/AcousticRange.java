@@ -14,7 +14,7 @@ import org.dronewatch.sensor.acoustic.energy.EnergyModel;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 
 /**
- * At what range does a microphone hear a small quadrotor? The microphone is on a hill; the drone approaches from the
+ * The range at which a microphone hears a small quadrotor. The microphone is on a hill; the drone approaches from the
  * north at 5 m/s. The flight is repeated for five levels of background noise.
  */
 public final class AcousticRange extends Scene {

@@ -10,7 +10,7 @@ import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.camera.CameraSettings;
 
 /**
- * At what range does a full HD camera detect a small quadrotor? The camera is on a hill and looks north; the drone
+ * The range at which a full HD camera detects a small quadrotor. The camera is on a hill and looks north; the drone
  * approaches along the camera's axis at 5 m/s. The flight is repeated for five fields of view.
  */
 public final class CameraRange extends Scene {

@@ -31,7 +31,7 @@ public record PackagedScene(String name, String summary, Supplier<Scene> factory
                     "a quadrotor flies towards a house on a hill with twelve cameras and a microphone on its roof",
                     MultiSensor::new));
 
-    /** All of them, in the order in which they are listed. */
+    /** All packaged scenes, in the order in which they are listed. */
     public static List<PackagedScene> all() {
         return ALL;
     }

@@ -8,7 +8,7 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Spelling;
 import org.dronewatch.setting.input.LinkOut;
 
-/** The scene that a file names. */
+/** Finds the scene that a file names. */
 public final class SceneByName {
     private SceneByName() {}
 
@@ -18,7 +18,8 @@ public final class SceneByName {
      *
      * @param directory of the naming file
      * @param file what the naming file is, for messages, such as {@code campaign file}
-     * @throws InputException with a one-line message when there is none, or it is elsewhere
+     * @throws InputException with a one-line message when there is no such scene, or its file is not in or below that
+     *     directory
      */
     public static Scene of(Path directory, String name, String file) {
         if (SceneFile.isFileName(name)) {

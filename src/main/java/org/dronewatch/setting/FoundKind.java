@@ -81,7 +81,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         return isBuiltIn(place) ? BUILT_IN : place;
     }
 
-    /** Its origin, in words for a list. */
+    /** The origin of the kind, in words for a list. */
     public String origin() {
         return builtIn ? BUILT_IN : source;
     }

@@ -14,12 +14,12 @@ public interface Kind<T> {
     Class<? super T> type();
 
     /**
-     * Its name in files, after {@code kind:}; lower-case letters, digits and hyphens, 1 to 64, unique among the kinds
-     * of its type.
+     * The name of the kind in files, after {@code kind:}; lower-case letters, digits and hyphens, 1 to 64, unique among
+     * the kinds of its type.
      */
     String name();
 
-    /** Its settings: a record that implements the type. */
+    /** The settings of the kind: a record that implements the type. */
     Class<? extends T> settings();
 
     /** A one-line description. */

@@ -4,7 +4,7 @@ import org.apache.commons.numbers.gamma.InverseErfc;
 import org.apache.commons.numbers.gamma.RegularizedBeta;
 
 /**
- * How many of a number of independent cases had an outcome, and what that says about its probability.
+ * The number of independent cases that had an outcome, and what it implies for the probability of that outcome.
  *
  * @param count cases with the outcome, 0 to {@code of}
  * @param of all cases, 0 or more
@@ -73,7 +73,7 @@ public record Proportion(int count, int of) {
      * @param high its upper bound
      */
     public record Interval(double low, double high) {
-        /** Whether a value lies in it. */
+        /** Whether a value lies in this interval. */
         public boolean contains(double value) {
             return low <= value && value <= high;
         }

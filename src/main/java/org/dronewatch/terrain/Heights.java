@@ -72,7 +72,7 @@ final class Heights {
     /**
      * Adds lines about heights that look odd.
      *
-     * @param statesNodata whether the files say which height stands for none
+     * @param statesNodata whether the files state a height that means "no data"
      */
     void warn(List<String> warnings, boolean statesNodata) {
         if (impossible > 0) {

@@ -9,9 +9,9 @@ import org.dronewatch.setting.input.FileHash;
  *
  * @param mesh triangles in the world frame, counter-clockwise as seen from above
  * @param posts number of posts near the origin that have a height
- * @param holes number of posts there that have none
+ * @param holes number of posts near the origin that have no height
  * @param all number of triangles if every post were kept
- * @param error the greatest vertical distance of a post from the triangle under or over it, m
+ * @param error the greatest vertical distance of a post from the triangle below or above it, m
  * @param files the files, with hashes of their bytes as read
  * @param description description of the files, in lines for the report
  * @param warnings about suspicious content, one line each

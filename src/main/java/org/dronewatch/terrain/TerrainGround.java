@@ -5,7 +5,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * Finds the triangles of a terrain below a point or an area. A terrain has one height at each point: its triangles do
- * not lie over one another. Immutable.
+ * not overlap in plan view. Immutable.
  */
 public final class TerrainGround {
     /**
@@ -102,7 +102,7 @@ public final class TerrainGround {
      *
      * @param x east, m
      * @param y north, m
-     * @return its z, m; not a number where there is none, in a hole or beyond the rim
+     * @return z of the ground, m; NaN where there is none, in a hole or beyond the rim
      */
     public double heightAt(double x, double y) {
         if (!(x >= west && y >= south && x <= west + columns * step && y <= south + rows * step)) {

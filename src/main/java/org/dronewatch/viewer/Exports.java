@@ -136,7 +136,7 @@ final class Exports {
         return new FrameExport(directory, viewed.run().reached(), rate, pictures(viewed));
     }
 
-    /** Images of a run at any time from the pane's current viewpoint; for one thread. */
+    /** Images of a run at any time from the pane's current viewpoint; for use by one thread. */
     DoubleFunction<BufferedImage> pictures(ViewedRun viewed) {
         WorldPanel world = pane.world();
         double density = world.density();

@@ -3,8 +3,8 @@ package org.dronewatch.world;
 import java.util.OptionalDouble;
 
 /**
- * The ground below a flight. {@link World#newGround()} gives that of a world; it is for one thread, and only for the
- * creation of paths: finished paths no longer query it.
+ * The ground below a flight. {@link World#newGround()} gives that of a world; it is for use by one thread, and only for
+ * the creation of paths: finished paths no longer query it.
  */
 @FunctionalInterface
 public interface Ground {

@@ -14,7 +14,7 @@ import org.dronewatch.setting.In;
 
 /**
  * Converts places on a map, or above the surface of a site, to positions in its world frame. The site is only queried
- * for heights above its surface. For one thread.
+ * for heights above its surface. For use by one thread.
  */
 public final class Places {
     /** How exactly the surface below a place is found, m. */

@@ -16,9 +16,9 @@ public final class SiteMemory {
     private final Map<Key, Kept> kept = new LinkedHashMap<>(16, 0.75f, true);
     private long made;
 
-    /** Something that is kept; it may grow while it is in use. */
+    /** A result that is kept; it may grow while it is in use. */
     public interface Kept {
-        /** The memory that it takes now, bytes. */
+        /** The memory that the result takes now, bytes. */
         long bytes();
     }
 

@@ -59,7 +59,7 @@ public record SurfaceColumn(List<Surface> surfaces) {
         return surfaces.stream().findFirst();
     }
 
-    /** The highest surface that faces up at a height, m, or below it; empty where there is none. */
+    /** The highest upward-facing surface at or below a height, m; empty if there is none. */
     public Optional<Surface> standing(double z) {
         return surfaces.stream()
                 .filter(surface -> surface.facesUp() && surface.z() <= z)

@@ -44,8 +44,8 @@ public record SurfaceSettings(
     /**
      * Checks all names.
      *
-     * @throws IllegalArgumentException when there is no surface of such a name, or a surface defined in the scene has
-     *     an empty name
+     * @throws IllegalArgumentException when there is no surface with one of the names, or a surface defined in the
+     *     scene has an empty name
      */
     public void checkNames() {
         if (own.containsKey("")) {

@@ -29,7 +29,10 @@ public final class Visibility {
      */
     public static final double MARGIN = 1e-5;
 
-    /** The same between points that are known to lie off all surfaces, m: above the rounding of computed distances. */
+    /**
+     * As {@link #MARGIN}, but between points that are known to lie off all surfaces, m: above the rounding of computed
+     * distances.
+     */
     private static final double MARGIN_OF_CLEAR_POINTS = 1e-10;
 
     private final World world;
@@ -143,9 +146,10 @@ public final class Visibility {
     }
 
     /**
-     * The same beyond a point of the segment.
+     * Finds the next surface beyond a point of the segment.
      *
-     * @param distance from the beginning, as a multiple of the vector
+     * @param distance distance of the point from the beginning, as a multiple of the vector
+     * @return whether there is one
      */
     public boolean findBeyond(double distance) {
         return find(distance + margin);
@@ -156,7 +160,7 @@ public final class Visibility {
         return tracer.triangle();
     }
 
-    /** The number of the material of the last surface, where it was found. */
+    /** The number of the material of the last surface found, at the point where it was found. */
     public int material() {
         double along = tracer.distance();
         return world.material(tracer.triangle(), x + along * dx, y + along * dy);

@@ -170,7 +170,7 @@ public final class World {
         this.memory = other.memory;
     }
 
-    /** This world in rain, mm/h, 0 or more. */
+    /** This world with the given rain rate, mm/h, 0 or more. */
     public World withRain(double millimetresPerHour) {
         return new World(
                 this,
@@ -213,7 +213,7 @@ public final class World {
     /**
      * This world with the land cover of a map on its ground, which is the first of the models that it was merged from.
      *
-     * @param raster what covers the ground
+     * @param raster the land cover
      * @param settings acoustic surfaces of the land cover's materials
      */
     public World withLandCover(LandRaster raster, SurfaceSettings settings) {
@@ -325,14 +325,13 @@ public final class World {
     }
 
     /**
-     * The heights of the highest surfaces, for the use of one thread: faster than {@link #surfaceHeight} for many
-     * points.
+     * The heights of the highest surfaces, for use by one thread: faster than {@link #surfaceHeight} for many points.
      */
     public Ground newGround() {
         return groundOf(index);
     }
 
-    /** The heights of the highest surfaces of a mesh, for the use of one thread. */
+    /** The heights of the highest surfaces of a mesh, for use by one thread. */
     public static Ground groundOf(TracingIndex index) {
         RayTracer traversal = index.newRayTracer();
         double above = index.tree().bounds().maxZ() + 1.0;
@@ -349,26 +348,26 @@ public final class World {
         return new Surroundings(this).showTheirBacks(position);
     }
 
-    /** A ray tracer for the use of one thread. */
+    /** A ray tracer for use by one thread. */
     public RayTracer newRayTracer() {
         return index.newRayTracer();
     }
 
     /**
-     * A ray tracer for incoherent rays, such as those of diffuse sound, for the use of one thread: faster than
+     * A ray tracer for incoherent rays, such as those of diffuse sound, for use by one thread: faster than
      * {@link #newRayTracer()} where the processor's vector instructions can be used.
      */
     public RayTracer newIncoherentRayTracer() {
         return index.newIncoherentRayTracer();
     }
 
-    /** A packet of incoherent rays that are traced together, for the use of one thread; empty if that is not faster. */
+    /** A packet of incoherent rays that are traced together, for use by one thread; empty if that is not faster. */
     public Optional<RayPacket> newRayPacket() {
         return index.newRayPacket();
     }
 
     /**
-     * A tracer of images, for the use of one thread.
+     * A tracer of images, for use by one thread.
      *
      * @param tree the world's, or a drone's
      */
@@ -467,7 +466,7 @@ public final class World {
         return light;
     }
 
-    /** Rain, mm/h. */
+    /** The rain rate, mm/h. */
     public double rain() {
         return rain;
     }

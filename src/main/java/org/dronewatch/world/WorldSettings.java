@@ -132,12 +132,12 @@ public record WorldSettings(
         return SettingsForm.with(this, "backgroundNoise", level);
     }
 
-    /** These settings with another background. */
+    /** These settings with another background noise. */
     public WorldSettings withBackgroundNoise(BackgroundNoise noise) {
         return SettingsForm.with(this, Map.of("backgroundNoise", noise.level(), "noiseShape", noise.shape()));
     }
 
-    /** The background. */
+    /** The background noise. */
     public BackgroundNoise noise() {
         return new BackgroundNoise(backgroundNoise, noiseShape);
     }
@@ -169,7 +169,7 @@ public record WorldSettings(
         return SettingsForm.with(this, "tracing", other);
     }
 
-    /** These settings with rain, mm/h. */
+    /** These settings with another rain rate, mm/h. */
     public WorldSettings withRain(double millimetresPerHour) {
         return SettingsForm.with(this, "rain", millimetresPerHour);
     }

@@ -2,7 +2,7 @@ package org.dronewatch.app.console;
 
 /** Exit codes of commands; 0 means that a command has done what was asked. */
 public final class ExitCode {
-    /** Anything else went wrong. */
+    /** The command failed for a reason that no other code covers. */
     public static final int FAILED = 1;
     /** Wrong usage, or bad input. */
     public static final int BAD_INPUT = 2;

@@ -29,7 +29,7 @@ public final class Interruption implements AutoCloseable {
     }
 
     /**
-     * Whether the process is already ending. Then Java knows the exit code of the signal, which a command's own must
+     * Whether the process is already ending. Java then knows the exit code of the signal, which a command's own must
      * not replace.
      */
     public static boolean isUnderWay() {

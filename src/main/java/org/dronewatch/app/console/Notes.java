@@ -4,7 +4,9 @@ import java.io.PrintWriter;
 import java.util.function.Consumer;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** Where a command's notes go, a line each: to standard error; with {@code --quiet} only warnings do. */
+/**
+ * The destination of a command's notes, one line each: standard error; with {@code --quiet}, only warnings are printed.
+ */
 public final class Notes {
     private static final String WARNING = "warning: ";
 

@@ -65,7 +65,7 @@ public final class Progress implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Takes the bar away, so that what is printed next starts on a separate line; idempotent. */
+    /** Removes the bar, so that what is printed next starts on a separate line; idempotent. */
     public void finish() {
         if (bar != null) {
             bar.close();

@@ -6,7 +6,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The option of commands that may take minutes: how much they say while they work. */
+/** The option of commands that may take minutes: how much they report while they work. */
 public final class ProgressOptions {
     @Option(names = "--progress", description = "Shows progress even without a terminal: as lines on standard error.")
     private boolean progress;

@@ -11,10 +11,10 @@ import java.util.function.LongConsumer;
 import me.tongfei.progressbar.ProgressBar;
 
 /**
- * Shows how far the tasks of a command have come, and what it notes while it works.
+ * Shows the progress of a command's tasks, and its messages.
  *
  * @param amount how much of this is shown
- * @param err receives it
+ * @param err receives the progress and the messages
  */
 public record TaskProgress(Amount amount, PrintWriter err) {
     /** A number of steps that is not known. */
@@ -35,7 +35,7 @@ public record TaskProgress(Amount amount, PrintWriter err) {
         return amount == Amount.NOTHING;
     }
 
-    /** What receives notes and warnings for the user, a line each. */
+    /** The receiver of notes and warnings for the user, one line each. */
     public Consumer<String> notes() {
         return Notes.to(err, isQuiet());
     }
@@ -50,9 +50,10 @@ public record TaskProgress(Amount amount, PrintWriter err) {
     }
 
     /**
-     * The same for a task that may give the results so far if it is interrupted.
+     * Runs a task that reports how many steps it has done since the last time, from any thread, and that may return the
+     * results so far if it is interrupted.
      *
-     * @param isCut whether it was, queried at the end
+     * @param isCut whether the task was interrupted; queried at the end
      */
     public <T> T during(String task, long steps, Function<IntConsumer, T> work, BooleanSupplier isCut) {
         try (ProgressBar bar = bar(task, steps)) {

@@ -1,2 +1,2 @@
-/** What commands have in common at the terminal: notes, progress, interruption and exit codes. */
+/** What commands share at the terminal: notes, progress, interruption and exit codes. */
 package org.dronewatch.app.console;

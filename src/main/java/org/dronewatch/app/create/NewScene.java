@@ -247,7 +247,7 @@ public record NewScene(
         text.append(String.format(Locale.ROOT, pattern, values)).append('\n');
     }
 
-    /** The name of a scene in a directory: the directory's, if it can be one. */
+    /** The name for a scene in a directory: that of the directory if it is a valid name, otherwise {@code site}. */
     public static String nameIn(Path directory) {
         String last = String.valueOf(directory.getFileName());
         return last.matches("[A-Za-z0-9_-]{1,64}") ? last : "site";

@@ -21,7 +21,7 @@ public final class ColourOptions {
     private Integer samples;
 
     /**
-     * How many samples a picture in colour has; empty for one in shades of blue.
+     * The number of rays along each axis of a pixel in a colour picture; empty for one in shades of blue.
      *
      * @param ofCamera whether the picture is that of a camera
      * @param ending of the file

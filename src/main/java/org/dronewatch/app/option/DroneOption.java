@@ -10,7 +10,11 @@ public final class DroneOption {
     @Option(names = "--drone", paramLabel = "ID", description = "Drone of the scene; the first by default.")
     private String drone;
 
-    /** Name of the drone, which the scene has. */
+    /**
+     * The name of the drone.
+     *
+     * @throws InputException when the scene has no such drone, or none at all
+     */
     public String of(SceneSettings settings) {
         String first =
                 FieldRequest.firstDrone(settings).orElseThrow(() -> new InputException("the scene has no drone"));

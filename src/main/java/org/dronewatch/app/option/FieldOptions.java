@@ -66,7 +66,7 @@ public final class FieldOptions {
                     + " for each name, the settings that change, by their paths.")
     private String conditions;
 
-    /** The first of these options that was given; null if none was. */
+    /** The first of the options for several heights that was given; null if none was. */
     public String given() {
         Map<String, Object> values = cells.values();
         values.put(HEADING, heading);

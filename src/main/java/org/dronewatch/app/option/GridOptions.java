@@ -19,7 +19,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Spelling;
 import picocli.CommandLine.Option;
 
-/** The options of {@code coverage} for the cells into which the drone is put. */
+/** The options of {@code coverage} for the cells in which the drone is placed. */
 public final class GridOptions {
     private static final String HEIGHTS = "--heights";
     private static final String CELL = "--cell";

@@ -10,7 +10,7 @@ import tools.jackson.core.json.JsonWriteFeature;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** The option {@code --json}, for commands whose tables other programs may want to read. */
+/** The option {@code --json}, for commands whose tables other programs may read. */
 public final class JsonOption {
     @Option(
             names = "--json",

@@ -3,7 +3,7 @@ package org.dronewatch.app.option;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Parameters;
 
-/** Which scene, and what to change in it, for a command that lets the user choose one if none is named. */
+/** The scene and the changes to it, for a command that lets the user choose a scene if none is named. */
 public final class OptionalSceneChoice extends ChosenScene {
     @Parameters(
             index = "0",

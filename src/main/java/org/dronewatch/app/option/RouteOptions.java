@@ -20,7 +20,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 import picocli.CommandLine.Option;
 
-/** The options of {@code route} that decide over which cells it searches, and from where. */
+/** The options of {@code route} that determine the cells over which it searches, and where the routes begin. */
 public final class RouteOptions {
     private static final String LAUNCH = "--launch";
     private static final String MODES = "--modes";
@@ -220,7 +220,7 @@ public final class RouteOptions {
                         + ": neither a zone of the scene nor an area such as '{centre: [0, 900], radius: 50 m}'")));
     }
 
-    /** The area from which the routes come as it was given. */
+    /** The area from which the routes come, as it was given. */
     public Optional<String> launch() {
         return Optional.ofNullable(launch);
     }

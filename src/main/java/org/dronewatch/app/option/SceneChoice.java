@@ -7,7 +7,7 @@ import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
 import picocli.CommandLine.Parameters;
 
-/** Which scene, and what to change in it: the part that several commands share. */
+/** The scene and the changes to it, as several commands take them. */
 public final class SceneChoice extends ChosenScene {
     @Parameters(
             index = "0",

@@ -21,7 +21,7 @@ public final class ThreadsOption {
         return threads;
     }
 
-    /** Runs a piece of work on this number of threads. */
+    /** Runs a task on this number of threads. */
     public <T> T call(Callable<T> work) {
         try (Workers workers = new Workers(number())) {
             return workers.call(work);

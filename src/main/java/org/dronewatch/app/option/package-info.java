@@ -1,2 +1,2 @@
-/** The options that several commands have, and the scene that a command is about. */
+/** The options that several commands share, and the scene that a command is about. */
 package org.dronewatch.app.option;

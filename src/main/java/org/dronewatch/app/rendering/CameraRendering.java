@@ -27,7 +27,11 @@ public final class CameraRendering extends Rendering {
     private final SensorSettings<?> camera;
     private final OptionalInt samples;
 
-    /** @param samples of a picture in colour; empty for one in shades of blue */
+    /**
+     * The view of a camera.
+     *
+     * @param samples rays along each axis of a pixel in a colour picture; empty for one in shades of blue
+     */
     public CameraRendering(SceneSettings settings, Simulation simulation, String id, OptionalInt samples) {
         super(simulation);
         this.settings = settings;
@@ -49,8 +53,8 @@ public final class CameraRendering extends Rendering {
     }
 
     /**
-     * Draws the last look of a camera on a positioner, or the view from a fixed mount at any time. Without a positioner
-     * or a steered drone, no simulation is needed.
+     * {@inheritDoc} It shows the last look of a camera on a positioner, or the view from a fixed mount at any time.
+     * Without a positioner or a steered drone, no simulation is needed.
      */
     @Override
     public String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {

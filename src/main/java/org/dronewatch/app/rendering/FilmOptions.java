@@ -34,7 +34,7 @@ public final class FilmOptions {
             description = "Playback speed of a video relative to real time, 0.01 to 1000; 1 by default.")
     private Double speed;
 
-    /** Refuses options of a film where none is made. */
+    /** Rejects options of a film if none is made. */
     public void checkUnused() {
         String given = from != null
                 ? "--from " + from
@@ -44,7 +44,11 @@ public final class FilmOptions {
         }
     }
 
-    /** The times that the film shows of a run of some duration, s. */
+    /**
+     * The times of a run that the film shows.
+     *
+     * @param duration of the run, s
+     */
     public Film film(double duration) {
         double begin = from == null ? 0.0 : RunTime.parse("--from", from, duration);
         double end = to == null ? duration : RunTime.parse("--to", to, duration);

@@ -20,10 +20,10 @@ public abstract class Rendering {
         this.simulation = simulation;
     }
 
-    /** Checks its options before anything is loaded. */
+    /** Checks the options before anything is loaded. */
     public abstract void check(String ending);
 
-    /** Draws it at one time; says in words what is drawn. */
+    /** Draws a picture of the subject at one time, and returns a description of the picture. */
     public abstract String picture(
             double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec);
 
@@ -35,10 +35,10 @@ public abstract class Rendering {
     }
 
     /**
-     * Makes a film of it; says in words what is drawn.
+     * Makes a film of the subject, and returns a description of the film.
      *
      * @param cancelled queried repeatedly: once it is true, there is no film
-     * @throws java.util.concurrent.CancellationException when it is given up
+     * @throws java.util.concurrent.CancellationException when the film is abandoned
      */
     public final String film(
             Film film, WholeFile target, FilmFormat format, ThreadsOption threads, BooleanSupplier cancelled) {

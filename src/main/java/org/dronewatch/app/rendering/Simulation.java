@@ -9,7 +9,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 
-/** Simulates one run of a scene as far as pictures of it need it, with a progress bar. */
+/** Simulates one run of a scene as far as pictures of the run require it, with a progress bar. */
 public final class Simulation {
     private final Scene scene;
     private final SceneRunner runner;

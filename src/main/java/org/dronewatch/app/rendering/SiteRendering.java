@@ -42,7 +42,10 @@ public final class SiteRendering extends Rendering {
         }
     }
 
-    /** Draws no detections, so that a scene without positioners or steered drones need not be simulated. */
+    /**
+     * {@inheritDoc} It shows no detections, so that a scene without positioners or steered drones need not be
+     * simulated.
+     */
     @Override
     public String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {
         boolean turns = settings.sensors().values().stream()

@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
 
 /** The options of {@code render} for pictures of the whole site. */
 public final class SiteView {
-    /** Where such a picture is taken from. */
+    /** The viewpoint of a picture of the whole site. */
     public enum From {
         TOP,
         SIDE,

@@ -3,9 +3,9 @@ package org.dronewatch.app.search;
 import org.dronewatch.placement.plan.PlaceObjective;
 import org.dronewatch.report.placement.PlaceResults;
 
-/** Finds the best layout for one objective, and the other figures that are stated of it. */
+/** Finds the best layout for one objective, and the other figures that are reported for it. */
 public interface PlaceFinder {
-    /** Finds it, on the {@link org.dronewatch.parallel.Workers} of the calling thread. */
+    /** Finds the best layout, on the {@link org.dronewatch.parallel.Workers} of the calling thread. */
     PlaceResults find(PlaceTask task);
 
     /** The finder for an objective. */

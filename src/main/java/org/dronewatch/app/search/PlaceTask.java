@@ -29,7 +29,7 @@ import org.dronewatch.run.Stage;
  * @param limits of each choice among candidates
  * @param budgets greatest number of budgets, including the whole one
  * @param interruption by the user
- * @param shown shows how far it has come
+ * @param shown shows the progress
  */
 public record PlaceTask(
         PlacePlan plan,

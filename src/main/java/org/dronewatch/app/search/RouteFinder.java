@@ -41,7 +41,7 @@ public final class RouteFinder {
     /**
      * A search.
      *
-     * @param shown shows how far it has come
+     * @param shown shows the progress
      */
     public RouteFinder(
             SceneRunner runner, RouteInputs inputs, Stage stage, Interruption interruption, TaskProgress shown) {

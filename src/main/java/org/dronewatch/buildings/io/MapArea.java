@@ -6,7 +6,7 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 
 /**
- * The part of a map around a site; features elsewhere need not be kept in memory.
+ * The part of a map around a site; features outside it need not be kept in memory.
  *
  * @param west least longitude, degrees
  * @param east greatest longitude, degrees; beyond 180 where the area contains the date line
@@ -39,7 +39,7 @@ public record MapArea(double west, double east, double south, double north) {
         return new MapArea(west, east, south, north);
     }
 
-    /** Whether it contains a point, degrees. */
+    /** Whether this area contains a point, degrees. */
     public boolean contains(double longitude, double latitude) {
         double turned = longitude + FULL_TURN * Math.ceil((west - longitude) / FULL_TURN);
         return latitude >= south && latitude <= north && turned <= east;

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
  * @param id its identifier on the map, such as {@code way/4713}
  * @param outers closed outlines: x and y of each corner in turn, in the map's coordinates, without repeating the first
  *     one
- * @param inners courtyards, likewise
+ * @param inners courtyards, in the same form
  * @param tags what the map states about it, by key
  */
 public record MapFeature(String id, List<double[]> outers, List<double[]> inners, Map<String, String> tags) {
@@ -21,7 +21,7 @@ public record MapFeature(String id, List<double[]> outers, List<double[]> inners
         tags = Map.copyOf(tags);
     }
 
-    /** Whether it is a wood, not a building. */
+    /** Whether this feature is a wood rather than a building. */
     public boolean isWood() {
         String building = tags.getOrDefault("building", "no");
         return building.equals("no") && ("wood".equals(tags.get("natural")) || "forest".equals(tags.get("landuse")));

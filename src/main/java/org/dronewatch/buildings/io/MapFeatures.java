@@ -11,7 +11,7 @@ import org.dronewatch.setting.input.FileHash;
  *
  * @param features outlines of buildings and parts of buildings, in the order of the file
  * @param model buildings with their walls and roofs instead, from a city model
- * @param land what covers the ground, if it was requested
+ * @param land land cover, if it was requested
  * @param leftOut features that could not be used, and their number, in words
  * @param format format of the file, in words
  * @param system coordinate system of the file

@@ -69,7 +69,7 @@ public final class MapFiles {
      * Reads the buildings and woods of a map.
      *
      * @param name name of the file
-     * @param area features elsewhere may be left out
+     * @param area features outside it may be left out
      * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area) {
@@ -80,9 +80,9 @@ public final class MapFiles {
      * Reads a map.
      *
      * @param name of the file
-     * @param area features elsewhere may be left out
-     * @param withLand whether to read what covers the ground as well; in GeoJSON, areas of land cover are then not
-     *     taken for buildings
+     * @param area features outside it may be left out
+     * @param withLand whether to read the land cover as well; in GeoJSON, areas of land cover are then not taken for
+     *     buildings
      * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area, boolean withLand) {

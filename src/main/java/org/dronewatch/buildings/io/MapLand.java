@@ -5,13 +5,13 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What covers the ground on a map.
+ * The land cover of a map.
  *
  * @param shapes areas and lines, in the order of the file; areas whose outlines are incomplete in the file are not
  *     closed
  */
 public record MapLand(List<MapShape> shapes) {
-    /** Nothing: not requested, or not stated by the map. */
+    /** No land cover: not requested, or not stated by the map. */
     public static final MapLand NONE = new MapLand(List.of());
 
     /** Keys of OpenStreetMap of which at least one is set on everything that says what covers the ground. */

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A shape on a map that says what covers the ground: an area, or a line such as a road. The arrays are not copied:
- * callers must not modify them.
+ * A shape on a map that states the land cover: an area, or a line such as a road. The arrays are not copied: callers
+ * must not modify them.
  *
  * @param id its identifier on the map, such as {@code way/4713}
  * @param isClosed whether its lines are closed, so that it may be an area

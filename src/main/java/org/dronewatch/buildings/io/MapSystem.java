@@ -77,7 +77,7 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
         return crs;
     }
 
-    /** What the file states, if the scene takes another system instead. */
+    /** The system that the file states, if the scene states another one, which is used instead. */
     public Optional<String> overruled(CoordinateReferenceSystem used) {
         return stated.filter(text -> !isSame(text, used)).map(PlainText::value);
     }

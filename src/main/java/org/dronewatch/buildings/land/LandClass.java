@@ -3,8 +3,8 @@ package org.dronewatch.buildings.land;
 import java.util.List;
 
 /**
- * What covers a piece of ground. Its material is a name in the table of acoustic surfaces with a variant after a colon,
- * so that a scene can give roads, for instance, a different surface from that of car parks. CNOSSOS-EU (Directive (EU)
+ * A class of land cover. Its material is a name in the table of acoustic surfaces with a variant after a colon, so that
+ * a scene can give roads, for instance, a different surface from that of car parks. CNOSSOS-EU (Directive (EU)
  * 2015/996, table 2.5.a) classifies forest floors, pasture and normal uncompacted ground, compacted fields and park
  * areas, gravel roads, asphalt and water by their flow resistivity; which surface represents which tag is a choice of
  * this program.
@@ -46,22 +46,22 @@ public enum LandClass {
         return ALL;
     }
 
-    /** Its number in a raster. */
+    /** The number of this class in a raster. */
     public int code() {
         return ordinal();
     }
 
-    /** The name of its material; empty for {@link #NONE}. */
+    /** The name of the material of this class; empty for {@link #NONE}. */
     public String material() {
         return material;
     }
 
-    /** Its name in reports. */
+    /** The name of this class in reports. */
     public String words() {
         return words;
     }
 
-    /** Its colour in daylight: red, green and blue in the lowest 24 bits. */
+    /** The colour of this class in daylight: red, green and blue in the lowest 24 bits. */
     public int colour() {
         return colour;
     }

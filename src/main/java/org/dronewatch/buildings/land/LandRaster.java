@@ -3,8 +3,7 @@ package org.dronewatch.buildings.land;
 import java.util.Arrays;
 
 /**
- * What covers the ground around the origin, in square cells on the plane of the world frame. Immutable, shared by all
- * threads.
+ * The land cover around the origin, in square cells on the plane of the world frame. Immutable, shared by all threads.
  */
 public final class LandRaster {
     private final double half;
@@ -19,7 +18,7 @@ public final class LandRaster {
      * A raster.
      *
      * @param half half of its side, m
-     * @param side its rows and columns
+     * @param side number of rows, and of columns
      * @param codes of the classes, row by row from the south, each from west to east; the array is not copied: callers
      *     must not modify it
      * @throws IllegalArgumentException when there are more or fewer codes than cells, or a code is unknown
@@ -76,7 +75,7 @@ public final class LandRaster {
         return 1.0 / perMetre;
     }
 
-    /** Its rows and columns. */
+    /** The number of rows, and of columns. */
     public int side() {
         return side;
     }

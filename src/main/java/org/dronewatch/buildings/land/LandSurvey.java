@@ -40,7 +40,7 @@ public final class LandSurvey {
     /**
      * What a survey found.
      *
-     * @param cover of the ground
+     * @param cover the land cover
      * @param description in lines for the report
      * @param warnings about what is missing, one line each
      */
@@ -55,8 +55,8 @@ public final class LandSurvey {
     /**
      * Draws the land cover of a map.
      *
-     * @param file its name, for warnings
-     * @param land what covers the ground on it
+     * @param file name of the map, for warnings
+     * @param land the land cover of the map
      * @param half of the side of the square around the origin that is drawn, m
      * @param inWorld transforms coordinates of the map to the world frame, m: x and y of each corner in turn
      */

@@ -5,7 +5,8 @@ import tools.jackson.databind.JsonNode;
 
 /**
  * What a GeoJSON file states about its coordinates. The current format (RFC 7946) allows longitude and latitude only;
- * that of 2008 and the one before had a member {@code crs}, which most programs still write for grid coordinates.
+ * the format of 2008 and its predecessor had a member {@code crs}, which most programs still write for grid
+ * coordinates.
  */
 public final class GeoJsonSystem {
     private GeoJsonSystem() {}

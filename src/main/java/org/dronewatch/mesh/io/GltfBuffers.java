@@ -165,7 +165,7 @@ final class GltfBuffers {
         };
     }
 
-    /** Normalised whole numbers stand for 0 to 1, or -1 to 1 (glTF 2.0, section 3.6.2.2). */
+    /** Normalised whole numbers represent 0 to 1, or -1 to 1 (glTF 2.0, section 3.6.2.2). */
     private static double value(ByteBuffer buffer, int at, int component, boolean isNormalized) {
         return switch (component) {
             case BYTE -> isNormalized ? Math.max(buffer.get(at) / 127.0, -1.0) : buffer.get(at);

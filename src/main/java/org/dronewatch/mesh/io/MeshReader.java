@@ -9,7 +9,8 @@ import java.util.Set;
 public interface MeshReader {
 
     /**
-     * File extensions, in lower-case letters and digits without the dot: {@code obj}; no two readers may have the same.
+     * File extensions, in lower-case letters and digits without the dot: {@code obj}; no two readers may share an
+     * extension.
      */
     Set<String> extensions();
 

@@ -54,7 +54,7 @@ public final class MeshReaders {
     }
 
     /**
-     * The readers of this program's class path; the search runs once.
+     * The readers on this program's class path; the search runs once.
      *
      * @throws InputException when one cannot be loaded or is invalid, or two read the same extension
      */

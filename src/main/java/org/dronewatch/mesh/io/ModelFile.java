@@ -128,7 +128,7 @@ public final class ModelFile {
         return beside(sibling, MAX_BYTES_BESIDE);
     }
 
-    /** The same with another limit, bytes. */
+    /** As {@link #beside(String)}, with another limit, bytes. */
     ModelFile beside(String sibling, long maxBytes) {
         if (path == null) {
             return resource(sibling).orElseThrow(() -> new InputException("is not next to the model"));
@@ -175,7 +175,7 @@ public final class ModelFile {
         }
     }
 
-    /** The hash of its bytes. */
+    /** The hash of the file's bytes. */
     public FileHash hash() {
         try (InputStream bytes = open()) {
             return FileHash.of(shortName(), bytes);
@@ -188,7 +188,7 @@ public final class ModelFile {
         return path == null ? name : String.valueOf(path.getFileName());
     }
 
-    /** Its text in UTF-8 without a byte order mark. */
+    /** The file's text in UTF-8 without a byte order mark. */
     public Reader text() throws IOException {
         InputStream bytes = open();
         bytes.mark(BYTE_ORDER_MARK.length);
@@ -198,7 +198,7 @@ public final class ModelFile {
         return new InputStreamReader(bytes, StandardCharsets.UTF_8);
     }
 
-    /** Its bytes, buffered. */
+    /** The file's bytes, buffered. */
     public InputStream open() throws IOException {
         return new BufferedInputStream(path != null ? Files.newInputStream(path) : resource.openStream());
     }

@@ -35,7 +35,7 @@ public record Cut(Position normal, double offset) {
         return depth(point.x(), point.y(), point.z()) <= 0.0;
     }
 
-    /** How fast a direction leads into what is cut away. */
+    /** Scalar product of a vector with the normal: how far the vector leads beyond the plane. */
     public double rate(double dx, double dy, double dz) {
         return normal.x() * dx + normal.y() * dy + normal.z() * dz;
     }

@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 /**
  * A drone as drawn in a view.
  *
- * @param drone as it is now
+ * @param drone the drone as it is now
  * @param flown its path up to now
  * @param toCome its path from now on
  * @param detected whether a sensor detects it now

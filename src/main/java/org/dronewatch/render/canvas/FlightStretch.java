@@ -26,7 +26,7 @@ public record FlightStretch(String drone, double from, List<Position> path, List
         sensors = List.copyOf(sensors);
     }
 
-    /** The flight of a drone in a run that has ended, divided where a sensor gains or loses it. */
+    /** The flight of a drone in a run that has ended, divided where a sensor gains or loses detection of the drone. */
     public static List<FlightStretch> of(String drone, RunResult run, Stage stage) {
         DetectionIntervals intervals = DetectionIntervals.of(run.events());
         TreeSet<Double> times = new TreeSet<>(List.of(0.0, run.simulated()));

@@ -17,7 +17,7 @@ public final class OutlinePainter {
     /**
      * A painter of one picture.
      *
-     * @param length how far frustums and sectors are drawn at most, m, because they have no natural end
+     * @param length the greatest length to which frustums and sectors are drawn, m; they have no natural end
      */
     public OutlinePainter(LinePainter lines, double length) {
         this.lines = lines;

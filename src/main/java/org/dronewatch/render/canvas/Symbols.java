@@ -18,9 +18,9 @@ import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.optics.CameraObject;
 
 /**
- * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as cameras whose
- * lens opens to where they look, radars as diamonds, omnidirectional sensors as discs, drones and birds as rings.
- * Symbols behind something are drawn pale.
+ * Draws the symbols of sensors and drones over a picture, and their names where there is room: cameras as camera icons
+ * whose lens widens in the viewing direction, radars as diamonds, omnidirectional sensors as discs, drones and birds as
+ * rings. Symbols behind something are drawn pale.
  */
 public final class Symbols {
     private static final Color DETECTING = new Color(0xffd23f);
@@ -73,7 +73,7 @@ public final class Symbols {
         this.scale = scale;
     }
 
-    /** Nothing is drawn where these are. */
+    /** Keeps symbols and names out of some rectangles. */
     public void keepOff(List<Rectangle> areas) {
         taken.addAll(areas);
         Area free = new Area(new Rectangle(
@@ -173,7 +173,7 @@ public final class Symbols {
         name(x, y, mark.drone().id(), hidden, selected);
     }
 
-    /** Marks a point of a flight with a dot, and writes beside it what begins there. */
+    /** Marks a point of a flight with a dot and writes words beside it. */
     public void note(Position at, String words) {
         if (!project(at)) {
             return;
@@ -211,7 +211,7 @@ public final class Symbols {
         names.add(new Name(x, y, List.of(id), hidden, selected));
     }
 
-    /** Writes the names: those that matter first, each where it covers no other; where there is no room, none. */
+    /** Writes the names, the most important first, each where it covers no other; those without room are left out. */
     public void writeNames() {
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, (int) Math.round(12 * scale)));
         names.sort((a, b) -> Boolean.compare(b.selected, a.selected) != 0

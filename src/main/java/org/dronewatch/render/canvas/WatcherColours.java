@@ -40,7 +40,7 @@ public final class WatcherColours {
         return colours.get(stretch.sensors());
     }
 
-    /** What each colour means; those that do not fit share a line. */
+    /** The meaning of each colour; combinations of sensors beyond the number of colours share a line. */
     public Map<String, Color> legend() {
         Map<String, Color> lines = new LinkedHashMap<>();
         colours.forEach((sensors, colour) -> lines.putIfAbsent(

@@ -5,7 +5,7 @@ import java.nio.channels.FileChannel;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** How a film is stored. */
+/** The file format of a film. */
 public enum FilmFormat {
     /** H.264, for browsers and presentations. */
     MP4("mp4") {

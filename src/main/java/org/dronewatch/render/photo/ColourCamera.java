@@ -24,7 +24,7 @@ public final class ColourCamera {
     /** The largest number of parts into which a pixel is divided along each axis. */
     public static final int MOST_SAMPLES = 8;
 
-    /** The default number, sufficient for soft edges. */
+    /** The default number of parts into which a pixel is divided along each axis, sufficient for soft edges. */
     public static final int SAMPLES = 2;
 
     /** Pixels that are metered along each axis. */

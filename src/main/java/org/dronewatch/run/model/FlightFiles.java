@@ -15,7 +15,7 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.setting.input.LinkOut;
 
-/** Reads each file of flights once. For the use of one thread at a time. */
+/** Reads each file of flights once. For use by one thread at a time. */
 final class FlightFiles {
     private final Path directory;
     private final BiConsumer<String, FileHash> hashes;

@@ -13,9 +13,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Warns of models of buildings that hover above the ground or are buried in it, as they are if their heights refer to
- * the ellipsoid and those of the terrain to the sea. What stands on another model, such as a mast on a roof, is not
- * compared with the ground.
+ * Warns of models of buildings that hover above the ground or are buried in it, for instance because their heights
+ * refer to the ellipsoid and those of the terrain to sea level. What stands on another model, such as a mast on a roof,
+ * is not compared with the ground.
  */
 public final class GroundOffsets {
     /** Further above or below the ground than most foundations, m. */
@@ -40,7 +40,7 @@ public final class GroundOffsets {
         this.parts = parts;
     }
 
-    /** Gives one line for each model whose parts are more than 3 m off the ground, in the median. */
+    /** Gives one line for each model whose parts have a median offset of more than 3 m from the ground. */
     public void giveTo(Consumer<String> target) {
         int models = settings.world().models().size();
         if (parts.values().stream().noneMatch(part -> part.role() == ModelRole.TERRAIN)) {

@@ -191,7 +191,7 @@ public final class ModelCache {
         return SiteKeys.Place.of(world).map(place -> prepared(place).ground());
     }
 
-    /** What was read of the terrain and the buildings of a world, a line for each thing. */
+    /** Descriptions of the terrain and the buildings that were read for a world, in lines for the report. */
     public synchronized List<String> siteNotes(WorldSettings world) {
         List<String> lines = new ArrayList<>();
         SiteKeys.Place.of(world).ifPresent(place -> lines.addAll(terrain(place).description()));

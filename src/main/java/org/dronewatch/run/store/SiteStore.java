@@ -39,10 +39,10 @@ public final class SiteStore {
     /** The largest number of bytes of all files; the least recently used ones are deleted. */
     static final long MOST_BYTES = 2L << 30;
 
-    /** What takes less to prepare is not kept, s. */
+    /** What takes less time than this to prepare is not kept, s. */
     static final double WORTH = 0.3;
 
-    /** The same for all stores of this process: models, fields and others are kept in one directory. */
+    /** Shared by all stores of this process: models, fields and others are kept in one directory. */
     private static final Set<Path> REPORTED = ConcurrentHashMap.newKeySet();
 
     private static final Pattern NAMES = Pattern.compile("[a-z]+-[0-9a-f]{64}\\.site");
@@ -91,7 +91,8 @@ public final class SiteStore {
      * A store of standard size.
      *
      * @param worth what takes less time than this to prepare is not kept, s
-     * @param notes receives a line when a file cannot be written, unless a store of this process has said so before
+     * @param notes receives a line when a file cannot be written, unless a store of this process has reported that
+     *     before
      */
     public static SiteStore standard(StorePlace place, double worth, Consumer<String> notes) {
         return new SiteStore(place.directory(), MOST_BYTES, worth, notes, REPORTED);

@@ -5,14 +5,14 @@ import java.io.IOException;
 /** How something is written to the store, and read from it. */
 public interface StoredForm<T> {
     /**
-     * Writes it.
+     * Writes a value.
      *
-     * @throws IOException when that is not possible
+     * @throws IOException when the value cannot be written
      */
     void write(T value, StoreWriter target) throws IOException;
 
     /**
-     * Reads it; the checksum has not been compared yet.
+     * Reads a value; the checksum has not been compared yet.
      *
      * @throws IOException when the file ends too early
      * @throws IllegalArgumentException when its contents cannot be valid

@@ -48,7 +48,7 @@ public final class ActiveSensor {
         return sensor instanceof RaySensor;
     }
 
-    /** The time of the next look, from its index and not from the last time, since adding up intervals drifts. */
+    /** The time of the next look, computed from its index: adding up intervals would drift. */
     public double nextTime() {
         return nextIndex / rate;
     }

@@ -13,7 +13,7 @@ public final class EmissionTime {
 
     /**
      * Solves {@code speed * (time - emission) = distance at emission}. For a drone faster than the signal there may be
-     * several solutions, of which this is one.
+     * several solutions, of which one is returned.
      *
      * @param time when the signal arrives, s
      * @param speed speed of the signal, m/s

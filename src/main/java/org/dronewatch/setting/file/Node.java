@@ -9,7 +9,7 @@ import java.util.Optional;
 
 /** A node of a document with its location. Immutable; with an alias, one node appears at two locations. */
 public sealed interface Node {
-    /** Its location. */
+    /** The location of the node. */
     Mark mark();
 
     /**
@@ -20,7 +20,7 @@ public sealed interface Node {
         return mark();
     }
 
-    /** Its number of nodes, itself included; a node that appears twice counts twice. At most {@link Long#MAX_VALUE}. */
+    /** The number of nodes of this subtree; a node that appears twice counts twice. At most {@link Long#MAX_VALUE}. */
     long size();
 
     /**

@@ -22,7 +22,7 @@ final class OtherForms {
     }
 
     /**
-     * The form in which a mapping stands for a record of this type: the one that knows most of its names, or the first
+     * The form in which a mapping represents a record of this type: the one that knows most of its names, or the first
      * when nothing in it has a name of the record; empty for its own.
      */
     Optional<Kinds.OtherForm> of(Class<?> type, Node.Mapping mapping) {
@@ -46,7 +46,7 @@ final class OtherForms {
         return Optional.ofNullable(best);
     }
 
-    /** The value that a form stands for; empty when there is none, and a problem here or elsewhere says why. */
+    /** The value that a form represents; empty when there is none, and a problem here or elsewhere says why. */
     Optional<Object> value(Kinds.OtherForm form, Object written, Node node, String path) {
         try {
             return form.value().apply((Record) written).map(Object.class::cast);

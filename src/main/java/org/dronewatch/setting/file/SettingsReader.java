@@ -97,7 +97,7 @@ final class SettingsReader {
         return failed(node, path, "must be a single value");
     }
 
-    /** Whether a single value may stand for a record, because all others of its parts have defaults. */
+    /** Whether a single value may stand for a record, because all its other parts have defaults. */
     private static boolean isKnownByOnePart(Class<?> type) {
         return type.isRecord()
                 && !SettingsForm.of(type).isNumbers()

@@ -23,7 +23,7 @@ public final class XmlText {
     private final XMLStreamReader xml;
     private int depth;
 
-    /** Receives the elements. */
+    /** Receives the elements of a document. */
     @FunctionalInterface
     public interface Reading {
         /** Reads the document to its end. */
@@ -104,27 +104,27 @@ public final class XmlText {
         return depth;
     }
 
-    /** The name of the element here, without the prefix of its namespace. */
+    /** The name of the current element, without the prefix of its namespace. */
     public String element() {
         return xml.getLocalName();
     }
 
-    /** An attribute of the element here; null if it has none of that name. */
+    /** An attribute of the current element; null if it has none of that name. */
     public String attribute(String called) {
         return xml.getAttributeValue(null, called);
     }
 
-    /** The line here. */
+    /** The number of the current line. */
     public int line() {
         return xml.getLocation().getLineNumber();
     }
 
-    /** The beginning of messages about this line. */
+    /** The beginning of messages about the current line. */
     public String at() {
         return name + ":" + line() + ": ";
     }
 
-    /** The text of the element here, up to its end; only the beginning of a very long one. */
+    /** The text of the current element, up to its end; only the beginning of a very long one. */
     public String content() throws XMLStreamException {
         StringBuilder text = new StringBuilder();
         int inside = depth;

@@ -10,16 +10,16 @@ import org.dronewatch.setting.InputException;
  * time.
  */
 public interface ElevationFile {
-    /** Its name in messages. */
+    /** The name of the file in messages. */
     String name();
 
-    /** The number of its columns of posts, 2 or more. */
+    /** The number of columns of posts, 2 or more. */
     int columns();
 
-    /** The number of its rows of posts, 2 or more. */
+    /** The number of rows of posts, 2 or more. */
     int rows();
 
-    /** The positions of its posts. */
+    /** The positions of the posts. */
     Lattice lattice();
 
     /**
@@ -43,7 +43,7 @@ public interface ElevationFile {
         }
     }
 
-    /** Whether the unit of its heights is known: the file states it, or its format prescribes it. */
+    /** Whether the unit of the heights is known: the file states it, or its format prescribes it. */
     boolean statesUnit();
 
     /**
@@ -55,7 +55,7 @@ public interface ElevationFile {
      */
     float[] heights(Window window) throws IOException;
 
-    /** Whether its heights are known to include roofs and treetops. */
+    /** Whether the heights are known to include roofs and treetops. */
     boolean isSurfaceModel();
 
     /** Whether the file states a height that means "no data". */

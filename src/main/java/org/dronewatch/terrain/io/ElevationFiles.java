@@ -90,7 +90,7 @@ public final class ElevationFiles {
     /**
      * Opens a file.
      *
-     * @throws InputException when it is in none of these formats, or is damaged
+     * @throws InputException when it is in no known format, or is damaged
      */
     public ElevationFile open(String name) {
         try {

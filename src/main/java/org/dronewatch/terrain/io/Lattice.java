@@ -41,7 +41,7 @@ public record Lattice(double x, double y, double columnX, double columnY, double
         return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(cross()) && cross() != 0.0;
     }
 
-    /** The same lattice with another post as column 0 and row 0. */
+    /** This lattice with another post as column 0 and row 0. */
     public Lattice from(int column, int row) {
         return new Lattice(xAt(column, row), yAt(column, row), columnX, columnY, rowX, rowY);
     }

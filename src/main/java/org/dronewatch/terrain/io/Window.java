@@ -3,10 +3,10 @@ package org.dronewatch.terrain.io;
 /**
  * A window of columns and rows of a grid.
  *
- * @param column the first of them
- * @param row the first of them
- * @param columns their number
- * @param rows their number
+ * @param column the first column
+ * @param row the first row
+ * @param columns number of columns
+ * @param rows number of rows
  */
 public record Window(int column, int row, int columns, int rows) {
     /** The intersection with another window; without columns or rows if they do not overlap. */
@@ -18,7 +18,7 @@ public record Window(int column, int row, int columns, int rows) {
         return new Window(west, north, Math.max(0, east - west), Math.max(0, south - north));
     }
 
-    /** Whether it has no columns or no rows. */
+    /** Whether this window has no columns or no rows. */
     public boolean isEmpty() {
         return columns == 0 || rows == 0;
     }
@@ -28,7 +28,7 @@ public record Window(int column, int row, int columns, int rows) {
         return new Window(column + byColumns, row + byRows, columns, rows);
     }
 
-    /** The number of its posts. */
+    /** The number of posts in this window. */
     public long posts() {
         return (long) columns * rows;
     }

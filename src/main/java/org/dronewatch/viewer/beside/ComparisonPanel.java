@@ -117,7 +117,7 @@ public final class ComparisonPanel extends JPanel {
         }
     }
 
-    /** Sets what is run whenever another run is chosen, or is shown beside this one or no longer so. */
+    /** Sets the action for whenever another run is chosen, or showing it beside this one is switched on or off. */
     public void onChange(Runnable target) {
         changed = target;
     }
@@ -216,7 +216,7 @@ public final class ComparisonPanel extends JPanel {
         return table;
     }
 
-    /** The sentences about what differs. */
+    /** The sentences that state what differs. */
     public String said() {
         return said.getText();
     }

@@ -9,7 +9,7 @@ import org.dronewatch.run.DetectionEvent;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.viewer.run.RecordedRun;
 
-/** When each sensor first detects each drone in a run, as far as it has been simulated. For one thread. */
+/** When each sensor first detects each drone in a run, as far as it has been simulated. For use by one thread. */
 final class FirstDetections {
     private final RecordedRun run;
     private final Set<String> drones;

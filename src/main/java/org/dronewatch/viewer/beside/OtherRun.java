@@ -9,7 +9,7 @@ import org.dronewatch.viewer.run.RecordedRun;
  * @param run the run, as far as it has been simulated
  */
 public record OtherRun(String name, RecordedRun run) {
-    /** As a list shows it. */
+    /** The name of the run, as a list shows it. */
     @Override
     public String toString() {
         return name;

@@ -51,7 +51,7 @@ public final class CoveragePanel extends JPanel {
     /**
      * An empty panel.
      *
-     * @param threads how many compute
+     * @param threads number of threads that compute
      * @param layout where the user has put the sensors
      * @param stores gives the store of what was computed before
      * @param painter paints the skin
@@ -206,7 +206,7 @@ public final class CoveragePanel extends JPanel {
         changed.run();
     }
 
-    /** Sets what is run when another coverage is shown. */
+    /** Sets the action for when another coverage is shown. */
     public void onShown(Runnable target) {
         changed = target;
     }
@@ -235,7 +235,7 @@ public final class CoveragePanel extends JPanel {
         }
     }
 
-    /** What is known about the cell under the pointer, for the status line; empty without one. */
+    /** What is known about the cell under the pointer, for the status line; empty if there is none. */
     public Optional<String> hint() {
         return pointed.cell().map(there -> there.words().summary());
     }
@@ -276,7 +276,7 @@ public final class CoveragePanel extends JPanel {
         return cell.getText();
     }
 
-    /** Whether nothing is computed. */
+    /** Whether nothing is being computed. */
     public boolean isIdle() {
         return awaited == null && computing.isIdle() && pictures.isIdle() && pointed.isIdle();
     }

@@ -4,7 +4,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 
-/** Work that another thread leaves to the event thread. */
+/** Work that another thread hands over to the event thread. */
 public final class EventWork {
     private EventWork() {}
 

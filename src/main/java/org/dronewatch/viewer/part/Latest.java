@@ -23,7 +23,7 @@ public final class Latest implements AutoCloseable {
     /**
      * Starts the thread.
      *
-     * @param threads how many may help
+     * @param threads number of threads that may help
      * @param failed receives what went wrong
      */
     public Latest(String name, int threads, Consumer<Throwable> failed) {

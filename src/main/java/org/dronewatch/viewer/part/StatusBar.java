@@ -24,7 +24,7 @@ public final class StatusBar extends JPanel {
         write(reading);
     }
 
-    /** Replaces the text; where there is no room for all of it, the rest is in its tooltip. */
+    /** Replaces the text, which is also shown in a tooltip in case there is no room for all of it. */
     public void write(String line) {
         text.setText(line);
         text.setToolTipText(line);
@@ -42,7 +42,7 @@ public final class StatusBar extends JPanel {
         progress.setValue((int) (PARTS * fraction));
     }
 
-    /** Replaces the text, and shows no progress any more. */
+    /** Replaces the text, and no longer shows progress. */
     public void end(String line) {
         progress.setVisible(false);
         write(line);

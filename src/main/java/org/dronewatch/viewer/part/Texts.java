@@ -27,7 +27,7 @@ public final class Texts {
         return Math.rint(10.0 * metres) / 10.0 + 0.0;
     }
 
-    /** A position, m, and where it is on earth if the site has an origin there. */
+    /** A position, m, with its latitude and longitude if the site has a geographic origin. */
     public static String place(Position position, WorldSettings site) {
         if (site.origin().isEmpty()) {
             return place(position);
@@ -46,7 +46,7 @@ public final class Texts {
                 aboveTheSea ? String.format(Locale.ROOT, ", %.1f m above sea level", there.height()) : "");
     }
 
-    /** What went wrong, in a line. */
+    /** A description of a problem, in one line. */
     public static String problem(Throwable problem) {
         if (problem instanceof InputException) {
             return problem.getMessage();

@@ -9,7 +9,7 @@ import org.dronewatch.viewer.part.Texts;
 public final class Events {
     private Events() {}
 
-    /** One line: when, who, what, how far. */
+    /** One line with the time, the sensor, what it detects or loses, the distance, and the measured value. */
     public static String text(DetectionEvent event) {
         Observation o = event.observation();
         return String.format(

@@ -5,10 +5,10 @@ import org.dronewatch.viewer.part.Texts;
 /**
  * A sensor's last measurement of a drone up to some time.
  *
- * @param time when it was made, seconds since the start of the run
+ * @param time time of the measurement, seconds since the start of the run
  * @param value measured value
- * @param threshold what the value must reach
- * @param unit of both
+ * @param threshold threshold that the value must reach
+ * @param unit of value and threshold
  * @param range distance to the drone, m
  */
 public record PairReading(double time, double value, double threshold, String unit, double range) {

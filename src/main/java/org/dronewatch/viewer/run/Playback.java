@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Which time of a recorded run is shown. Time goes on by itself while it plays, as far as the run has been simulated.
- * For one thread.
+ * The time of a recorded run that is shown. It advances by itself during playback, as far as the run has been
+ * simulated. For use by one thread.
  */
 public final class Playback {
     /** Speeds to choose from; the last is as fast as possible. */
@@ -50,7 +50,7 @@ public final class Playback {
         return time;
     }
 
-    /** How many times as fast as real time it plays; infinite for as fast as possible. */
+    /** The playback speed as a multiple of real time; infinite for as fast as possible. */
     public double speed() {
         return speed;
     }
@@ -64,7 +64,7 @@ public final class Playback {
         changed();
     }
 
-    /** Plays on, from the start if it is at its end. */
+    /** Resumes playback, from the start if the end of the run has been reached. */
     public void play() {
         if (run != null && time >= run.duration()) {
             time = 0.0;

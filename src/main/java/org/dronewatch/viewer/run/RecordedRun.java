@@ -56,22 +56,22 @@ public final class RecordedRun {
         return stage;
     }
 
-    /** How long it lasts, s. */
+    /** The duration of the run, s. */
     public double duration() {
         return info.settings().run().duration();
     }
 
-    /** Up to when it has been simulated, s. */
+    /** The time up to which the run has been simulated, s. */
     public synchronized double reached() {
         return reached;
     }
 
-    /** Whether all of it has been simulated. */
+    /** Whether all of the run has been simulated. */
     public synchronized boolean isFinished() {
         return finished;
     }
 
-    /** The detections gained and lost from a number on, in order of time. */
+    /** The detections gained and lost, from an index on, in order of time. */
     public synchronized List<DetectionEvent> eventsFrom(int number) {
         return number >= events.size() ? List.of() : List.copyOf(events.subList(number, events.size()));
     }

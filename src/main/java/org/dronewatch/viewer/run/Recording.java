@@ -33,7 +33,7 @@ public final class Recording implements SceneListener {
         current.add(event);
     }
 
-    /** Records that nothing more will come: all runs are over, or the last was cut short. */
+    /** Records that nothing more will follow: all runs are over, or the last was cut short. */
     public synchronized void finish(boolean complete) {
         if (complete) {
             finishCurrent();
@@ -41,7 +41,7 @@ public final class Recording implements SceneListener {
         finished = true;
     }
 
-    /** Whether a sensor has looked: all is loaded then. */
+    /** Whether a sensor has looked, which means that everything has been loaded. */
     public synchronized boolean hasFrames() {
         return frames;
     }

@@ -13,8 +13,8 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Where the user has put the sensors of a run, with the last moves, which can be undone and done again. For the event
- * thread.
+ * The layout of a run's sensors as changed by the user, with the last moves, which can be undone and redone. For the
+ * event thread.
  */
 public final class SensorLayout {
     /** The number of moves that can be undone. */
@@ -32,7 +32,7 @@ public final class SensorLayout {
     /** The settings saved last, if those of the next run have not been saved; otherwise null. */
     private SceneSettings begin;
 
-    /** Takes another run; nothing has been moved. */
+    /** Takes the settings of another run, in which nothing has been moved yet. */
     public void show(SceneSettings next) {
         original = next;
         settings = next;
@@ -130,7 +130,7 @@ public final class SensorLayout {
         return true;
     }
 
-    /** Puts all sensors back to where the scene has them, which can be undone. */
+    /** Resets all sensors to those of the scene, which can be undone. */
     public void reset() {
         if (isThere() && !moved().isEmpty()) {
             remember();
@@ -140,7 +140,7 @@ public final class SensorLayout {
         }
     }
 
-    /** The sensors that are not as the scene has them: elsewhere, turned, or with other settings. */
+    /** The sensors that differ from the scene: moved, turned, or with other settings. */
     public Set<String> moved() {
         return changedFrom(original);
     }

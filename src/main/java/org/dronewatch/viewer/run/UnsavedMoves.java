@@ -11,7 +11,7 @@ public final class UnsavedMoves {
     private final Runnable saving;
     private final Function<Set<String>, Answer> question;
 
-    /** What the user wants to do with the moves. */
+    /** What the user wants to do with unsaved moves. */
     public enum Answer {
         /** Write a scene file. */
         SAVE("Save scene as ..."),

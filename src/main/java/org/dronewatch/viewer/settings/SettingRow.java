@@ -21,7 +21,7 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param path its path in the tree, as in {@code detection.pixels}
  * @param value its value with its unit, as it can be written; {@link #NONE} if it is not set
- * @param allowed the values that it can have, in words; empty if anything fits
+ * @param allowed the values that it can have, in words; empty if any value is valid
  * @param quantity of a number
  */
 public record SettingRow(String path, String value, String allowed, Quantity quantity) {

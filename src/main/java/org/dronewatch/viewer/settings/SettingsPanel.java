@@ -128,18 +128,18 @@ public final class SettingsPanel extends JPanel {
         }
     }
 
-    /** Sets what saves the scene. */
+    /** Sets the action that saves the scene. */
     public void onSave(Runnable target) {
         saving = target;
     }
 
-    /** Sets what runs the scene again. */
+    /** Sets the action that runs the scene again. */
     public void onRun(Runnable target) {
         running = Optional.of(target);
         update();
     }
 
-    /** Takes the settings as they are now. */
+    /** Updates the panel to the current settings. */
     public void update() {
         model.update();
         heading.setText(model.sensor()

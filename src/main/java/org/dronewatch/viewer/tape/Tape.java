@@ -25,7 +25,10 @@ public record Tape(End from, End to) {
         /** How far the eye of a point on a surface is in front of it, m: negligible when measuring. */
         private static final double IN_FRONT = 0.01;
 
-        /** The same as a fraction of the distance from which the point was seen: depths are single-precision. */
+        /**
+         * As {@link #IN_FRONT}, but as a fraction of the distance from which the point was seen: depths are
+         * single-precision.
+         */
         private static final double ROUNDED = 1e-6;
 
         /** A sensor or drone, whose name is put between quotation marks. */
@@ -60,7 +63,7 @@ public record Tape(End from, End to) {
         return Math.hypot(along().x(), along().y());
     }
 
-    /** How much higher the end is than the beginning, m. */
+    /** The height of the end above the beginning, m. */
     public double height() {
         return along().z();
     }
