@@ -43,9 +43,8 @@ public final class CandidateTable {
             double[] undetected,
             int[] groups) {
         if (columns.size() != candidates.size() || undetected.length != weights.length) {
-            throw new IllegalArgumentException(
-                    candidates.size() + " candidates, but " + columns.size() + " columns; " + weights.length
-                            + " weights, but " + undetected.length + " impacts without a detection");
+            throw new IllegalArgumentException(candidates.size() + " candidates, but " + columns.size() + " columns; "
+                    + weights.length + " weights, but " + undetected.length + " impacts without a detection");
         }
         Set<String> names = new HashSet<>();
         for (int number = 0; number < candidates.size(); number++) {

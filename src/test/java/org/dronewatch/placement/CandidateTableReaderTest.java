@@ -128,8 +128,7 @@ class CandidateTableReaderTest {
         CandidateTable table = table(SENSORS, "row,candidate,value\nS,A,1\n");
 
         assertThatThrownBy(() -> new PlacementProblem(table, PlacementObjective.WORST_IMPACT, PlacementConditions.NONE))
-                .hasMessage(
-                        "row 0: impacts for 1 of 4 candidates only, and the impact without a detection is missing");
+                .hasMessage("row 0: impacts for 1 of 4 candidates only, and the impact without a detection is missing");
     }
 
     private CandidateTable table(String candidates, String values) throws IOException {
