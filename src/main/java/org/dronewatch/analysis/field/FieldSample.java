@@ -41,8 +41,8 @@ public final class FieldSample {
 
     /**
      * Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread: each only where
-     * those before it do not detect the drone. Sensors that search come last, since each of their assessments is one of
-     * many pointings.
+     * those before it do not detect the drone. Sensors that search come last, since each of their assessments
+     * covers many pointings.
      *
      * @param which the places at which they are assessed, if the drone can be there, m
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept

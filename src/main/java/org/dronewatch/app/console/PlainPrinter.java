@@ -5,7 +5,7 @@ import java.io.Writer;
 import java.util.Locale;
 import org.dronewatch.setting.PlainText;
 
-/** Prints for terminals and scripts: no character of a name steers the terminal, and no locale changes a number. */
+/** Prints for terminals and scripts: no character in a name controls the terminal, and no locale changes a number. */
 public final class PlainPrinter extends PrintWriter {
 
     public PlainPrinter(Writer target) {

@@ -24,7 +24,7 @@ public final class ColourOptions {
      * The number of rays along each axis of a pixel in a colour picture; empty for one in shades of blue.
      *
      * @param ofCamera whether the picture is that of a camera
-     * @param ending of the file
+     * @param ending extension of the file's name
      */
     public OptionalInt samples(boolean ofCamera, String ending) {
         if (!colour) {

@@ -66,7 +66,7 @@ public record RoutePlacement(
 
     /**
      * The weakest routes past all affordable candidates together, from each direction under each condition, the weakest
-     * of all first: no layout closes a gap that they leave. Empty if the layout gains anything.
+     * of all first: no layout closes a gap that they leave. Empty if the value of the layout is above 0.
      */
     public List<DirectedRoute> remaining() {
         return parts.remaining();

@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * Surfaces are matt; drones cast no shadows. Detection does not depend on it: sensors count the pixels whose centres
  * show the drone, independently of these pictures.
  *
- * <p>The site without drones is exposed once and kept, so further pictures of a camera that does not move are cheap.
+ * <p>The site without drones is rendered once and kept, so further pictures of a camera that does not move are cheap.
  * The pixels are the same for any number of {@link Workers}. Not thread-safe.
  */
 public final class ColourCamera {

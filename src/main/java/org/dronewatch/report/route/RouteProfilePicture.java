@@ -46,7 +46,7 @@ final class RouteProfilePicture {
         below.setXYSeriesRenderStyle(XYSeriesRenderStyle.Area);
         XYSeries path = chart.addSeries("flight", distances, flight);
         path.setMarker(SeriesMarkers.NONE).setLineColor(Color.BLACK).setLineWidth(3f);
-        XYSeries seen = chart.addSeries("detected so far [%], right scale", distances, detected);
+        XYSeries seen = chart.addSeries("detected so far [%], right-hand scale", distances, detected);
         seen.setMarker(SeriesMarkers.NONE).setLineColor(EXPOSURE);
         seen.setLineStyle(new BasicStroke(3f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10f, DASHES, 0f));
         seen.setYAxisGroup(1);

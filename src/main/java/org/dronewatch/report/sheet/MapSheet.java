@@ -109,7 +109,7 @@ public final class MapSheet {
         outline(corners, colour, MapMarks.SOLID);
     }
 
-    /** Draws a closed line on the map that others may lie on. */
+    /** Draws a closed line on the map, one of several that may coincide. */
     public void outline(List<Position> corners, LineLayer layer) {
         outline(corners, LineLayer.EDGE, layer.edge());
         outline(corners, layer.colour(), layer.stroke());
@@ -191,7 +191,7 @@ public final class MapSheet {
         sample(Color.BLACK, MapMarks.DASHES, 0, text);
     }
 
-    /** Writes a legend entry, preceded by a sample of a line that others may lie on. */
+    /** Writes a legend entry, preceded by a sample of a line, one of several that may coincide. */
     public void sample(LineLayer layer, String text) {
         sample(layer.colour(), layer.stroke(), 0, text);
     }

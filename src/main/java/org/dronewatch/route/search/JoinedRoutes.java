@@ -31,7 +31,7 @@ public final class JoinedRoutes {
      * @param search the search by whose exposure they are compared
      * @param routes as found by it
      * @param starts by route, the nodes at which it may begin instead
-     * @param isAllowed whether a route may replace the one that has joined another
+     * @param isAllowed whether a route that has joined another may replace the original one
      * @return one route for each of them, in the same order
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */

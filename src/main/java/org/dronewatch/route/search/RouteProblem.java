@@ -37,8 +37,8 @@ public record RouteProblem(
         goals = (BitSet) goals.clone();
         if (modes.isEmpty() || starts.isEmpty() || goals.isEmpty() || !(turnRadius >= 0.0)) {
             throw new IllegalArgumentException(modes.size() + " modes, " + starts.cardinality() + " starts, "
-                    + goals.cardinality() + " goals, and a turn of " + turnRadius
-                    + " m: there must be at least one of each, and a turn of 0 m or more");
+                    + goals.cardinality() + " goals, and a turn radius of " + turnRadius
+                    + " m: there must be at least one of each, and a radius of 0 m or more");
         }
     }
 

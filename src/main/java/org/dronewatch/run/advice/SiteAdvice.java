@@ -27,8 +27,8 @@ import org.dronewatch.world.SurfaceSettings;
 import org.dronewatch.world.World;
 
 /**
- * Warns of settings that are allowed but do not fit the site: sensors inside walls or on surfaces, materials without a
- * surface, positioners that will not work as intended.
+ * Warns of settings that are allowed but do not fit the site: sensors inside walls or on surfaces, materials without
+ * an acoustic surface, positioners that will not work as intended.
  */
 public record SiteAdvice(SceneSettings settings, World world) {
     private static final String IN_WALL =

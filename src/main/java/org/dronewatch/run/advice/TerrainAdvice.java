@@ -36,7 +36,7 @@ public record TerrainAdvice(SceneSettings settings, Ground ground) {
             }
             if (reflectsFromRoundEarth(sensor)) {
                 target.accept("sensor '" + id + "' has groundReflection.roundEarth, but the ground from files already"
-                        + " follows the earth's curvature, which is thus applied twice: set it to false");
+                        + " follows the earth's curvature, which is thus applied twice: set roundEarth to false");
             }
         });
         flights.forEach((id, path) -> {

@@ -18,7 +18,7 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  * bands.
  */
 public final class SurfaceMaterials {
-    /** The default surface, for materials without a name. */
+    /** The default surface, for materials to which no other is assigned and whose name is not that of a surface. */
     public static final String SOLID = "solid";
 
     private static final String[] BANDS = {"125", "250", "500", "1000", "2000", "4000"};

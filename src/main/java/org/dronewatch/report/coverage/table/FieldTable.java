@@ -79,8 +79,8 @@ public final class FieldTable {
     }
 
     /**
-     * Why cells are too slow on the worst heading, on which a radar that rejects low radial speeds detects nothing,
-     * wherever the drone is; empty if none are, or another heading counts.
+     * Why a drone is too slow in some cells on the worst heading: a radar that rejects low radial speeds detects nothing
+     * on it, wherever the drone is. Empty if there are no such cells, or another heading counts.
      */
     public static Optional<String> slownessInWords(Set<Cause> causes, CoverageInputs inputs) {
         return causes.contains(Cause.TOO_SLOW) && inputs.heading().equals("worst")
