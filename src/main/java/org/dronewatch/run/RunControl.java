@@ -12,7 +12,7 @@ import org.dronewatch.run.time.Pace;
  *     the run
  * @param pace waits before each look
  * @param cancelled queried before each look: once it is true, no more looks are taken
- * @param times records how long the sensors look
+ * @param times records the computing time of the sensors' looks
  */
 public record RunControl(double until, Pace pace, BooleanSupplier cancelled, LookTimes times) {
 

@@ -10,7 +10,7 @@ import java.util.TreeMap;
  * @param load reading models
  * @param build building trees
  * @param wall simulating, after loading and building
- * @param looking how long the sensors of each kind looked, summed over all threads
+ * @param looking computing time of the looks of each kind of sensor, summed over all threads
  */
 public record Timing(double load, double build, double wall, Map<String, Double> looking) {
     /** Copies the map: later changes by the caller have no effect. */

@@ -19,7 +19,7 @@ public final class SceneWriter {
      *
      * @param name name of the scene, for the first line
      * @param settings settings of the scene, or of one of its runs
-     * @param from the directory of its relative model names
+     * @param from directory against which the relative names of its models are resolved
      * @param file the file into which the text will be written; the models must be in its directory or below it
      * @return the text, which has been read back and is equal to the settings
      * @throws org.dronewatch.setting.InputException when a setting cannot be written: a function, or a kind that no

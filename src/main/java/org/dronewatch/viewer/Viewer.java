@@ -211,7 +211,7 @@ public final class Viewer implements AutoCloseable {
      * differences. Ends early when the user closes the window or opens another scene. To be called by the thread that
      * runs scenes.
      *
-     * @param name of the other scene, as users choose it
+     * @param name under which users select the other scene
      * @param other its runner
      * @throws RuntimeException if the other scene cannot be run
      */

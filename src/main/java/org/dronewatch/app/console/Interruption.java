@@ -54,7 +54,8 @@ public final class Interruption implements AutoCloseable {
     }
 
     /**
-     * Limits the time of the command: once it is over, its thread is interrupted, unless it may finish by then.
+     * Limits the time of the command: once it is over, its thread is interrupted, unless {@link #letFinish} has
+     * been called by then.
      *
      * @param seconds time from now, s
      */

@@ -18,7 +18,7 @@ public final class BesideOption {
     private String name;
 
     /**
-     * The second scene, as it is described; empty if there is none.
+     * The second scene, without the overrides of the first; empty if none is named.
      *
      * @param first the first scene
      * @throws InputException with a one-line message when there is no such scene, or no first one

@@ -7,7 +7,7 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /**
  * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds} that hold for every
- * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is made only once it
+ * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is not made until it
  * would have replaced the rendering of several pictures, or of one large picture: a few small pictures cost less than a
  * mask. Thread-safe.
  */

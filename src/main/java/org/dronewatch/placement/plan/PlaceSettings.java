@@ -54,7 +54,7 @@ public record PlaceSettings(
         if (!air.weights().isEmpty() && objective != PlaceObjective.COVERAGE) {
             throw new IllegalArgumentException("air.weights: has no meaning for the objective "
                     + objective.name().toLowerCase(Locale.ROOT).replace('_', '-')
-                    + ": cells do not count by themselves");
+                    + ": its value is not a sum over cells");
         }
         if (candidates.isEmpty()) {
             throw new IllegalArgumentException("candidates is empty: must name at least one sensor that may be bought");

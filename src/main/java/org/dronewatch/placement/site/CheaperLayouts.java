@@ -24,7 +24,7 @@ public interface CheaperLayouts<L extends PlacedLayout> {
      */
     L bounded(L layout, double bound);
 
-    /** Where a layout is better than the best one for the next lower budget; empty if it is better nowhere. */
+    /** Where a layout is better than the best one for the next lower budget; empty if it is not better anywhere. */
     Optional<SectorGain> gain(Optional<L> before, L after);
 
     /**

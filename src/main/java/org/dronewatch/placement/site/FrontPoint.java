@@ -12,7 +12,7 @@ import java.util.Optional;
  * @param added names of the sensors that the previous layout does not have, in the order of the file; if there is no
  *     previous layout, all but those that are kept
  * @param removed names of the sensors that only the previous layout has
- * @param gain where the layout is better than the previous one; empty if it is better nowhere
+ * @param gain where the layout is better than the previous one; empty if it is not better anywhere
  */
 public record FrontPoint<L extends PlacedLayout>(
         double budget, L layout, List<String> added, List<String> removed, Optional<SectorGain> gain) {

@@ -190,7 +190,7 @@ final class PlaceTable {
     /** That a layout is worse than the scene's own sensors, as the end of a sentence on these; or an empty text. */
     private String worse(PresentLayout own) {
         return own.value() > layout.value() && !measure.text(own.value()).equals(measure.text(layout.value()))
-                ? ", better than this layout, which has only those of them that 'keep' names"
+                ? ", which is better than this layout: sensors of the scene that 'keep' does not name are not part of it"
                 : "";
     }
 

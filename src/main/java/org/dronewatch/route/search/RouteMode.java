@@ -94,7 +94,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
         return new LegMotion(0.0, 0.0, 0.0, rise * greatestSpeed(0.0, rise));
     }
 
-    /** Whether the drone flies more slowly than it could in order not to be detected. */
+    /** Whether the drone flies slowly on purpose, to avoid detection. */
     public boolean isSlow() {
         return name.equals(SLOW);
     }

@@ -29,7 +29,7 @@ public record PathAdvice(String id, World world, Ground ground, double duration)
     /** How deep a drone may be: one that stands on the ground touches it, m. */
     private static final double TOUCH = 0.1;
 
-    /** Gives one line with the first place, and the greatest depth. */
+    /** Gives one line with the first point at which the drone is inside something solid, and the greatest depth. */
     public void giveTo(FlightPath path, Consumer<String> target) {
         int steps = (int) Math.min(MOST_PLACES, Math.max(1.0, Math.ceil(duration / STEP)));
         String first = null;

@@ -1,6 +1,9 @@
 package org.dronewatch.sensor.optics;
 
-/** The significant pixels of one drone in one frame, and those of them in which the camera sees it. Immutable. */
+/**
+ * The significant pixels of one drone in one frame, which are those inside the bounding box of its projection, and
+ * those of them in which the camera sees it. Immutable.
+ */
 public final class DronePixels {
     private final String drone;
     private final int left;

@@ -77,7 +77,7 @@ public final class SettingsFile {
      * default values are omitted.
      *
      * @param kinds among which to choose where the record has an interface
-     * @param from directory of relative file names in the settings
+     * @param from directory against which relative file names in the settings are resolved
      * @param file that is to hold the text; file names in it are relative to its directory
      * @return the text, which has been read back and is equal to the settings
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
@@ -106,7 +106,7 @@ public final class SettingsFile {
      *
      * @param type the type of the setting that holds it: its own, or an interface with kinds
      * @param kinds among which to choose
-     * @param from directory of relative file names in the settings
+     * @param from directory against which relative file names in the settings are resolved
      * @param file that is to hold the part; file names in it are relative to its directory
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory
@@ -121,7 +121,7 @@ public final class SettingsFile {
      *
      * @param type the type of the setting that holds it: its own, or an interface with kinds
      * @param kinds among which to choose
-     * @param from directory of relative file names in the settings
+     * @param from directory against which relative file names in the settings are resolved
      * @param file that is to hold the part; file names in it are relative to its directory
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory

@@ -25,7 +25,7 @@ import org.dronewatch.viewer.run.RecordedRun;
 
 /**
  * Chooses another run, and states what differs between it and the one that is shown: the settings of sensors, and the
- * first detection of each drone by any and by each sensor. For the event thread.
+ * first detection of each drone by any sensor, and by each. For the event thread.
  */
 public final class ComparisonPanel extends JPanel {
     private static final long serialVersionUID = 1L;

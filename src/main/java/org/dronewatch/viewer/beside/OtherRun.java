@@ -5,7 +5,7 @@ import org.dronewatch.viewer.run.RecordedRun;
 /**
  * A run with which the one that is shown can be compared.
  *
- * @param name as users choose it, such as {@code before the change}
+ * @param name under which users select it, such as {@code before the change}
  * @param run the run, as far as it has been simulated
  */
 public record OtherRun(String name, RecordedRun run) {

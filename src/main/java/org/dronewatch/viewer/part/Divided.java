@@ -13,7 +13,7 @@ public final class Divided {
      * Two parts with a divider between them.
      *
      * @param orientation as of a {@link JSplitPane}
-     * @param weight of the first part where the window grows, 0 to 1
+     * @param weight fraction of additional space that the first part receives when the window grows, 0 to 1
      */
     public static JSplitPane split(int orientation, Component first, Component second, double weight) {
         JSplitPane pane = new JSplitPane(orientation, first, second);

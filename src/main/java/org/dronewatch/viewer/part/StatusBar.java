@@ -14,7 +14,7 @@ public final class StatusBar extends JPanel {
     private final JLabel text = new JLabel();
     private final JProgressBar progress = new JProgressBar(0, PARTS);
 
-    /** A status bar while a scene is read, with a text. */
+    /** A status bar that shows a text while a scene is being read. */
     public StatusBar(String reading) {
         super(new BorderLayout());
         setBorder(BorderFactory.createEmptyBorder(Scaled.px(3), Scaled.px(10), Scaled.px(3), Scaled.px(10)));

@@ -79,8 +79,9 @@ public final class FieldTable {
     }
 
     /**
-     * Why a drone is too slow in some cells on the worst heading: a radar that rejects low radial speeds detects nothing
-     * on it, wherever the drone is. Empty if there are no such cells, or another heading counts.
+     * Why a drone's radial speed is too low in some cells on the worst heading: on that heading, a radar that rejects
+     * low radial speeds detects nothing, wherever the drone is. Empty if there are no such cells, or another heading
+     * counts.
      */
     public static Optional<String> slownessInWords(Set<Cause> causes, CoverageInputs inputs) {
         return causes.contains(Cause.TOO_SLOW) && inputs.heading().equals("worst")

@@ -74,7 +74,7 @@ public final class WarningTable {
     }
 
     /**
-     * The least warning, as {@link #leastAndOthers(List)}, with times written otherwise.
+     * As {@link #leastAndOthers(List)}, with times in another format.
      *
      * @param words writes a time, s
      */
