@@ -74,8 +74,8 @@ public final class MapTransform {
      *
      * @param x to the east, in the unit of the system
      * @param y to the north, in the unit of the system
-     * @param height above the datum of the origin's height, -1e9 to 1e9 m; if that height is not known, the origin counts
-     *     as lying at a height of 0
+     * @param height above the datum of the origin's height, -1e9 to 1e9 m; if that height is not known, the origin
+     *     counts as lying at a height of 0
      * @throws InputException when the point is outside the domain of the system, or the height out of its range
      */
     public Position inWorld(double x, double y, double height) {

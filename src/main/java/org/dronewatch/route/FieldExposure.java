@@ -50,7 +50,8 @@ public final class FieldExposure implements ExposureField {
     public static FieldExposure of(ModeField flown, SceneSettings settings) {
         DetectionField field = flown.field();
         if (field.courses().stream().noneMatch(course -> course.kind() == Course.Kind.COMPASS)) {
-            throw new IllegalArgumentException("the field has no compass headings: it must be assessed on the courses of Course.all()");
+            throw new IllegalArgumentException(
+                    "the field has no compass headings: it must be assessed on the courses of Course.all()");
         }
         FieldCells cells = new FieldCells(field);
         List<SensorRates> sensors = IntStream.range(0, field.sensors().size())

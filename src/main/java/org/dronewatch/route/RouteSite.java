@@ -108,8 +108,8 @@ record RouteSite(
 
     private static void checkNodes(BitSet starts, BitSet goals, boolean isLaunch, boolean isZone) {
         if (starts.isEmpty()) {
-            throw new IllegalArgumentException(
-                    "no route can begin " + (isLaunch ? "in the launch area" : "on the edge of the area") + ": " + NO_CELL);
+            throw new IllegalArgumentException("no route can begin "
+                    + (isLaunch ? "in the launch area" : "on the edge of the area") + ": " + NO_CELL);
         }
         if (goals.isEmpty()) {
             throw new IllegalArgumentException("no route can end "

@@ -150,7 +150,8 @@ class PlaceCandidatesTest {
     @Test
     void aLayoutThatIsWorseThanTodayIsCalledThat() throws Exception {
         assertThat(placed("budget: 1\n"))
-                .contains("better than this layout, which has only those of them that 'keep' names.");
+                .contains(
+                        "better than this layout: sensors of the scene that 'keep' does not name are not part of it.");
         assertThat(placed("budget: 9\n")).doesNotContain("better than this layout");
     }
 

@@ -120,9 +120,9 @@ class PlaceZonesTest {
                 "weights: {depot: 0}, area: depot | budget: 3 | air.weights: all cells have a weight of 0; at least one"
                         + " must have more",
                 "weights: {depot: 2} | objective: warning-time\\nbudget: 3 | air.weights: has no meaning for the"
-                        + " objective warning-time: cells do not count by themselves",
+                        + " objective warning-time: its value is not a sum over cells",
                 "weights: {depot: 2} | objective: weakest-route\\nbudget: 3 | air.weights: has no meaning for the"
-                        + " objective weakest-route: cells do not count by themselves"
+                        + " objective weakest-route: its value is not a sum over cells"
             })
     void otherWeightsAreRefused(String weights, String more, String message) throws IOException {
         Outcome outcome = place(weights + ", ", more.replace("\\n", "\n") + "\n");
