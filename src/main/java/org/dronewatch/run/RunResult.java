@@ -11,6 +11,7 @@ import org.dronewatch.fusion.Confirmation;
 import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
+import org.dronewatch.setting.PlainText;
 
 /**
  * The result of one run of a scene.
@@ -67,8 +68,13 @@ public record RunResult(
                 changed, settings.enabledSensors(), settings.world().weather());
     }
 
-    /** The observation with which a sensor first detected a drone; empty if never. */
+    /**
+     * The observation with which a sensor first detected a drone; empty if never.
+     *
+     * @throws IllegalArgumentException when the scene has no such sensor; the message names those that it has
+     */
     public Optional<Observation> firstDetection(String sensor) {
+        requireSensor(sensor);
         return events.stream()
                 .filter(DetectionEvent::gained)
                 .map(DetectionEvent::observation)
@@ -76,11 +82,24 @@ public record RunResult(
                 .findFirst();
     }
 
-    /** The greatest distance, over all drones, at which a sensor first detected one, m; empty if it detected none. */
+    /**
+     * The greatest distance, over all drones, at which a sensor first detected one, m; empty if it detected none.
+     *
+     * @throws IllegalArgumentException when the scene has no such sensor; the message names those that it has
+     */
     public OptionalDouble firstDetectionRange(String sensor) {
+        requireSensor(sensor);
         return pairs.stream()
                 .filter(pair -> pair.sensor().equals(sensor) && pair.range().isPresent())
                 .mapToDouble(pair -> pair.range().getAsDouble())
                 .max();
+    }
+
+    /** A misspelt name is not taken for a sensor that detects nothing: a test of ranges would pass for ever. */
+    private void requireSensor(String name) {
+        if (!settings.sensors().containsKey(name)) {
+            throw new IllegalArgumentException("no sensor '" + name + "'; the scene has "
+                    + PlainText.list(List.copyOf(settings.sensors().keySet())));
+        }
     }
 }

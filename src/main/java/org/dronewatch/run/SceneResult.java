@@ -3,6 +3,7 @@ package org.dronewatch.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.dronewatch.setting.PlainText;
 
 /**
  * The results of all runs of a scene: asserted in a test, they guard against unnoticed changes in a site's detection
@@ -40,7 +41,11 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         return alerts().stream()
                 .filter(alert -> alert.run() == 0 && alert.drone().equals(drone))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'"));
+                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the first run has "
+                        + PlainText.list(alerts().stream()
+                                .map(AlertResult::drone)
+                                .distinct()
+                                .toList())));
     }
 
     /** Simulated time of all runs, s. */
@@ -64,14 +69,30 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
      * @throws IllegalArgumentException when there is no such run or pair
      */
     public OptionalDouble firstDetectionRange(int run, String sensor, String drone) {
-        return pairs().stream()
-                .filter(pair -> pair.run() == run
-                        && pair.sensor().equals(sensor)
-                        && pair.drone().equals(drone))
+        List<PairResult> inRun =
+                pairs().stream().filter(pair -> pair.run() == run).toList();
+        return inRun.stream()
+                .filter(pair -> pair.sensor().equals(sensor) && pair.drone().equals(drone))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "no run " + run + " with sensor '" + sensor + "' and drone '" + drone + "'"))
+                .orElseThrow(() -> new IllegalArgumentException(unknownPair(inRun, run, sensor, drone)))
                 .range();
+    }
+
+    private String unknownPair(List<PairResult> inRun, int run, String sensor, String drone) {
+        if (runs.stream().noneMatch(one -> one.run() == run)) {
+            return "no run " + run + ", only "
+                    + (runs.size() == 1
+                            ? "run " + runs.get(0).run()
+                            : "runs " + runs.get(0).run() + " to "
+                                    + runs.get(runs.size() - 1).run());
+        }
+        List<String> sensors = inRun.stream().map(PairResult::sensor).distinct().toList();
+        if (!sensors.contains(sensor)) {
+            return "no sensor '" + sensor + "'; the run has " + PlainText.list(sensors);
+        }
+        return "no drone '" + drone + "'; the run has "
+                + PlainText.list(
+                        inRun.stream().map(PairResult::drone).distinct().toList());
     }
 
     /** The points of the sweep, sensor by sensor in each run; none for a scene without a sweep. */

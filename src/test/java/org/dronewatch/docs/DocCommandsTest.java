@@ -12,8 +12,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.dronewatch.app.Main;
 import org.dronewatch.app.Program;
 import org.junit.jupiter.api.Test;
@@ -23,9 +22,6 @@ import picocli.CommandLine.ParameterException;
 
 /** Every command that the pages show is one, and its scene with its overrides can be read. */
 class DocCommandsTest {
-    private static final Pattern COMMAND = Pattern.compile(
-            "(?m)^ {4}(?:mvn .*compile exec:java -Dexec\\.args=\"([^\"]*)\"|dronewatch (.*)|java .*-all\\.jar (.*))$");
-    private static final Pattern WORD = Pattern.compile("(?:[^\\s\"']|\"[^\"]*\"|'[^']*')+");
     private static final Set<String> OF_SCENES = Set.of("run", "view", "check", "save", "render", "coverage");
     /** A reader's own file, of which the pages do not show all. */
     private static final String NOT_SHOWN = "site.yaml";
@@ -33,25 +29,8 @@ class DocCommandsTest {
     @TempDir
     private Path directory;
 
-    /** The commands of all pages, each as its words. */
-    private static List<List<String>> commands() throws IOException {
-        Set<List<String>> commands = new LinkedHashSet<>();
-        for (Path page : SitePages.sources(Path.of("").toAbsolutePath())) {
-            Matcher found = COMMAND.matcher(Files.readString(page));
-            while (found.find()) {
-                int group = found.group(1) != null ? 1 : found.group(2) != null ? 2 : 3;
-                commands.add(words(found.group(group)));
-            }
-        }
-        return new ArrayList<>(commands);
-    }
-
-    /** As a shell parts them. */
-    private static List<String> words(String line) {
-        return WORD.matcher(line)
-                .results()
-                .map(word -> word.group().replaceAll("[\"']", ""))
-                .toList();
+    private static Set<List<String>> commands() throws IOException {
+        return PageCommand.all().stream().map(PageCommand::words).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     private static CommandLine.ParseResult parse(List<String> words) {
@@ -60,7 +39,7 @@ class DocCommandsTest {
 
     @Test
     void everyCommandIsOne() throws IOException {
-        List<List<String>> commands = commands();
+        Set<List<String>> commands = commands();
         assertThat(commands).hasSizeGreaterThan(25);
         for (List<String> command : commands) {
             try {
@@ -73,8 +52,9 @@ class DocCommandsTest {
 
     @Test
     void aCommandThatIsNoneIsFound() {
-        assertThatThrownBy(() -> parse(words("run camera-range --outt x"))).isInstanceOf(ParameterException.class);
-        assertThatThrownBy(() -> parse(words("rum camera-range"))).isInstanceOf(ParameterException.class);
+        assertThatThrownBy(() -> parse(PageCommand.words("run camera-range --outt x")))
+                .isInstanceOf(ParameterException.class);
+        assertThatThrownBy(() -> parse(PageCommand.words("rum camera-range"))).isInstanceOf(ParameterException.class);
     }
 
     @Test

@@ -3,6 +3,8 @@ package org.dronewatch.docs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,6 +17,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronewatch.app.Main;
+import org.dronewatch.catalog.Catalog;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.setting.InputException;
@@ -59,6 +63,11 @@ class DocScenesTest {
             return !sections().isEmpty() && OF_A_SCENE.containsAll(sections());
         }
 
+        /** The word with which it begins. */
+        String begin() {
+            return text.strip().split(":", 2)[0];
+        }
+
         @Override
         public String toString() {
             return page + " " + sections();
@@ -66,6 +75,17 @@ class DocScenesTest {
     }
 
     static List<Example> examples() throws IOException {
+        return all().filter(Example::isOfAScene).toList();
+    }
+
+    /** What is less than a section of a scene; the files of tutorials have tests of their own. */
+    static List<Example> parts() throws IOException {
+        return all().filter(example -> !example.isOfAScene())
+                .filter(example -> !example.page().startsWith("tutorial-"))
+                .toList();
+    }
+
+    private static Stream<Example> all() throws IOException {
         List<Path> pages = new ArrayList<>(List.of(Path.of("README.md")));
         try (Stream<Path> found = Files.walk(Path.of("src/site/markdown"))) {
             found.filter(page -> page.toString().endsWith(".md")).sorted().forEach(pages::add);
@@ -74,10 +94,72 @@ class DocScenesTest {
         for (Path page : pages) {
             Matcher matcher = BLOCK.matcher(Files.readString(page));
             while (matcher.find()) {
-                examples.add(new Example(page.getFileName().toString(), matcher.group(1)));
+                examples.add(new Example(
+                        page.getFileName().toString(),
+                        matcher.group(1).stripTrailing().stripIndent() + "\n"));
             }
         }
-        return examples.stream().filter(Example::isOfAScene).toList();
+        return examples.stream();
+    }
+
+    private static final String RADAR = "sensors:\n  radar:\n    kind: radar\n    position: [0, 0, 150]\n"
+            + "    budget: {kind: data-sheet, range: 500 m, crossSection: 0.05}\n";
+
+    /** Where a part of a scene belongs; each level of these is indented by two. */
+    private static final Map<String, String> AROUND = Map.of(
+            "surfaces", "world:\n  models: [yard.obj]\n",
+            "flight", "drones:\n  intruder:\n    model: packaged:quadrotor.obj\n",
+            "propagation", "sensors:\n  ear:\n    kind: acoustic\n    position: [0, 0, 150]\n",
+            "beam", RADAR,
+            "falseAlarms", "sensors:\n  radio:\n    use: droneshield-rfone\n    position: [0, 0, 150]\n");
+
+    private static final String SWEPT = "drones:\n  visitor:\n    model: packaged:quadrotor.obj\n"
+            + "    flight: {kind: inbound, target: [0, 0, 145], bearing: 20 deg, distance: 200 m}\n"
+            + "sensors:\n  tower: {use: spotterrf-c550, position: [0, 0, 144]}\n"
+            + "  gate: {kind: camera, position: [0, 45, 133], enabled: false}\n";
+
+    /** A yard with the materials of the guide. */
+    private static final String YARD = "v 0 0 0\nv 9 0 0\nv 9 0 -9\nv 0 0 -9\n"
+            + "usemtl facade\nf 1 2 3\nusemtl yard\nf 1 3 4\nusemtl lawn\nf 1 2 4\n";
+
+    @ParameterizedTest
+    @MethodSource("parts")
+    void aPartFitsWhereItBelongs(Example part) throws IOException {
+        Files.writeString(directory.resolve("yard.obj"), YARD);
+        Path file = directory.resolve("part.yaml");
+        switch (part.begin()) {
+            case "title" -> {
+                Files.writeString(file, part.text());
+                assertThat(Catalog.beside(directory).entry("part")).isPresent();
+            }
+            case "full moon" -> {
+                Files.writeString(file, part.text());
+                assertCovers("scenes/meadow.yaml", "--conditions", file.toString());
+            }
+            default -> assertReads(new Example(part.page(), whole(part)));
+        }
+    }
+
+    private static String whole(Example part) {
+        int sweep = part.text().indexOf("sweep:");
+        if (sweep >= 0) {
+            return SWEPT + part.text().substring(sweep);
+        }
+        String around = AROUND.get(part.begin());
+        assertThat(around).as("where it belongs: %s", part.text()).isNotNull();
+        return around + part.text().indent(part.begin().equals("surfaces") ? 2 : 4);
+    }
+
+    private void assertCovers(String... scene) {
+        List<String> words = new ArrayList<>(List.of("coverage"));
+        words.addAll(List.of(scene));
+        words.addAll(List.of("--side", "200m", "--cell", "100m", "--heights", "30m"));
+        words.addAll(List.of("--out", directory.resolve("field").toString()));
+        StringWriter said = new StringWriter();
+        PrintWriter writer = new PrintWriter(said);
+        assertThat(Main.execute(writer, writer, words.toArray(String[]::new)))
+                .as("%s", said)
+                .isZero();
     }
 
     @Test
@@ -90,6 +172,10 @@ class DocScenesTest {
     @ParameterizedTest
     @MethodSource("examples")
     void itIsAScene(Example example) throws IOException {
+        assertReads(example);
+    }
+
+    private void assertReads(Example example) throws IOException {
         boolean isPlace = example.text().contains("models:") || example.text().contains("terrain:");
         StringBuilder scene = new StringBuilder(
                 isPlace

@@ -88,7 +88,9 @@ public final class ModelFile {
         }
         String problem = wrongWith(path, MAX_BYTES);
         if (!problem.isEmpty()) {
-            throw new InputException("model file " + PlainText.value(path) + " " + problem);
+            // A relative path says little to those who start programs in another directory than they think.
+            throw new InputException(
+                    "model file " + PlainText.value(path.toAbsolutePath().normalize()) + " " + problem);
         }
         LinkOut.refuse(directory, path, "model file");
         return new ModelFile(file, path, null);
