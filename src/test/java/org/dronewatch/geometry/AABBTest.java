@@ -32,6 +32,14 @@ class AABBTest {
     }
 
     @Test
+    void aBoxFarFromTheOriginHasTheSizeOfOneThere() {
+        AABB box = new AABB(100, -200, 300, 102, -197, 306);
+
+        assertThat(box.diagonal()).isEqualTo(7.0);
+        assertThat(box.surfaceArea()).isEqualTo(72.0);
+    }
+
+    @Test
     void containsItsBorder() {
         for (Point3d corner : BOX.corners()) {
             assertThat(BOX.contains(corner)).isTrue();

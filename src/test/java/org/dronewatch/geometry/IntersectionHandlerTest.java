@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.dronewatch.LongForm;
 import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -270,5 +271,68 @@ class IntersectionHandlerTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> IntersectionHandler.raySphere(ray(0, 0, 0, 1, 0, 0), CENTER, radius))
                 .withMessageContaining("radius");
+    }
+
+    private static double kernelSphere(Ray ray, Point3d center, double radius) {
+        Point3d o = ray.origin();
+        Vector3d d = ray.direction();
+        return IntersectionHandler.raySphere(o.x, o.y, o.z, d.x, d.y, d.z, center.x, center.y, center.z, radius);
+    }
+
+    /** The sphere of radius 2 around (10, 0, 0), met by rays to the east. */
+    @ParameterizedTest
+    @CsvSource({
+        "0, 0, 8",
+        "-90, 0, 98",
+        "8, 0, 0",
+        "9, 0, 0",
+        "10, 0, 0",
+        "12, 0, 0",
+        "12.000000000000002, 0, Infinity",
+        "13, 0, Infinity",
+        "0, 2, 10",
+        "0, -2, 10",
+        "10, 2, 0",
+        "10.000000000000002, 2, Infinity",
+        "0, 2.0000000000000004, Infinity",
+        "0, 3, Infinity"
+    })
+    void theKernelMeetsASphereAtItsNearSideOrWhereItStarts(double x, double beside, double distance) {
+        assertThat(kernelSphere(ray(x, beside, 0, 1, 0, 0), CENTER, 2)).isEqualTo(distance);
+        assertThat(kernelSphere(ray(x, 0, beside, 1, 0, 0), CENTER, 2)).isEqualTo(distance);
+    }
+
+    @Test
+    void theKernelMeetsASmallSphereFarAwayExactly() {
+        Point3d far = new Point3d(1e8, 0, 0);
+
+        assertThat(kernelSphere(ray(0, 0.0999, 0, 1, 0, 0), far, 0.1)).isCloseTo(1e8, within(0.1));
+        assertThat(kernelSphere(ray(0, 0.1001, 0, 1, 0, 0), far, 0.1)).isInfinite();
+    }
+
+    @Test
+    void theKernelMeetsSpheresWhereTheReferenceDoes() {
+        long seed = LongForm.seed(32);
+        SplittableRandom random = new SplittableRandom(seed);
+        int met = 0;
+        for (int i = 0; i < 5000; i++) {
+            Position origin = position(random, 9);
+            Position middle = position(random, 9);
+            double radius = 0.1 + 5 * random.nextDouble();
+            Position target = middle.plus(position(random, 1.5 * radius));
+            Ray ray = new Ray(origin, target.minus(origin).unit());
+            Point3d center = middle.toPoint3d();
+
+            double expected = IntersectionHandler.raySphere(ray, center, radius).orElse(Double.POSITIVE_INFINITY);
+            double found = kernelSphere(ray, center, radius);
+
+            assertThat(found == expected || Math.abs(found - expected) < 1e-6)
+                    .as(
+                            "%s of seed %d, sphere of %s m around %s: %s, not %s",
+                            ray, seed, radius, center, found, expected)
+                    .isTrue();
+            met += found > 0.0 && found < Double.POSITIVE_INFINITY ? 1 : 0;
+        }
+        assertThat(met).isGreaterThan(500);
     }
 }

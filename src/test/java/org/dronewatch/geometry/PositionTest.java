@@ -14,6 +14,9 @@ class PositionTest {
     private static final Position P = new Position(1, 2, 3);
     private static final Position Q = new Position(4, 6, 3);
 
+    /** A record whose methods are generated. */
+    private record Generated(double x, double y, double z) {}
+
     @Test
     void addsSubtractsAndScales() {
         assertThat(P.plus(Q)).isEqualTo(new Position(5, 8, 6));
@@ -60,5 +63,30 @@ class PositionTest {
         assertThatIllegalArgumentException().isThrownBy(() -> new Position(bad, 0, 0));
         assertThatIllegalArgumentException().isThrownBy(() -> new Position(0, bad, 0));
         assertThatIllegalArgumentException().isThrownBy(() -> new Position(0, 0, bad));
+    }
+
+    @Test
+    void equalsAsAGeneratedRecordDoes() {
+        double[] values = {0.0, -0.0, 1.0, Double.MIN_VALUE, -Double.MAX_VALUE};
+        for (int i = 0; i < 125 * 125; i++) {
+            double[] c = new double[6];
+            for (int k = 0, rest = i; k < 6; k++, rest /= 5) {
+                c[k] = values[rest % 5];
+            }
+            Position one = new Position(c[0], c[1], c[2]);
+            Position other = new Position(c[3], c[4], c[5]);
+            Generated likeOne = new Generated(c[0], c[1], c[2]);
+
+            assertThat(one.equals(other))
+                    .as("%s and %s", one, other)
+                    .isEqualTo(likeOne.equals(new Generated(c[3], c[4], c[5])));
+            assertThat(one.hashCode()).as("%s", one).isEqualTo(likeOne.hashCode());
+        }
+    }
+
+    @Test
+    void equalsNothingOfAnotherKind() {
+        assertThat(P.equals(null)).isFalse();
+        assertThat(P.equals((Object) P.toPoint3d())).isFalse();
     }
 }

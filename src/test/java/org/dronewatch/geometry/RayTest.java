@@ -79,6 +79,21 @@ class RayTest {
     }
 
     @ParameterizedTest
+    @ValueSource(doubles = {0.0, 2.0, Double.POSITIVE_INFINITY})
+    void mayConsistOfOnePoint(double t) {
+        Ray ray = new Ray(ORIGIN, UP, t, t);
+
+        assertThat(ray.tMin()).isEqualTo(t);
+        assertThat(ray.tMax()).isEqualTo(t);
+    }
+
+    @Test
+    void showsItsOriginDirectionAndRange() {
+        assertThat(new Ray(ORIGIN, UP, 0.5, 4.0))
+                .hasToString("Ray[origin=(1.0, 2.0, 3.0), direction=(0.0, 0.0, 2.0), t=0.5..4.0]");
+    }
+
+    @ParameterizedTest
     @CsvSource({"-1, 1", "2, 1", "NaN, 1", "0, NaN"})
     void refusesARangeThatIsNone(double tMin, double tMax) {
         assertThatIllegalArgumentException()

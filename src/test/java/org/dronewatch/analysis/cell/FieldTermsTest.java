@@ -143,6 +143,14 @@ class FieldTermsTest {
     }
 
     @Test
+    void eachOfTheTermsCanBeChangedAlone() {
+        FieldTerms searching = terms(3.0).withPointing(FieldTerms.Turning.SEARCH);
+
+        assertThat(searching).isEqualTo(new FieldTerms(FieldTerms.Turning.SEARCH, Optional.of(3.0)));
+        assertThat(searching.withWithin(4.0)).isEqualTo(new FieldTerms(FieldTerms.Turning.SEARCH, Optional.of(4.0)));
+    }
+
+    @Test
     void theTimeHasLimits() {
         for (double wrong : List.of(0.0, -1.0, 86_401.0, Double.NaN, Double.POSITIVE_INFINITY)) {
             assertThatIllegalArgumentException().isThrownBy(() -> terms(wrong)).withMessageContaining("within");

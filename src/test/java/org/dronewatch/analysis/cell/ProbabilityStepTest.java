@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The scale rises, and a probability is near the one that its step stands for. */
 class ProbabilityStepTest {
@@ -43,6 +45,16 @@ class ProbabilityStepTest {
                     .isEqualTo(step - 1);
         }
         assertThat(ProbabilityStep.least(1)).isZero();
+    }
+
+    /** Up to the first multiple of 1/250; between others, rounding decides. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4, 5, 6})
+    void theLeastProbabilityOfASmallStepBelongsToIt(int step) {
+        double least = ProbabilityStep.least(step);
+
+        assertThat(ProbabilityStep.of(least)).isEqualTo(step);
+        assertThat(ProbabilityStep.of(Math.nextDown(least))).isEqualTo(step - 1);
     }
 
     @Test
