@@ -13,12 +13,22 @@ import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.dronewatch.run.SceneResult;
+import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.viewer.Viewer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** In the real window, on a display. */
 class WatchedRunWindowTest {
+    /** The first seconds of the gate watch. */
+    static class BriefWatch extends GateWatch {
+        @Override
+        protected void build() {
+            super.build();
+            setRun(RunSettings.DEFAULT.withDuration(2.0));
+        }
+    }
+
     private static <T> T onEventThread(Callable<T> work) throws Exception {
         FutureTask<T> task = new FutureTask<>(work);
         SwingUtilities.invokeAndWait(task);
@@ -43,7 +53,7 @@ class WatchedRunWindowTest {
     @Timeout(value = 2, unit = TimeUnit.MINUTES)
     void theRunIsShownUntilTheUserClosesTheWindow() throws Exception {
         assumeTrue(Viewer.obstacle().isEmpty(), "needs a display");
-        FutureTask<SceneResult> watching = new FutureTask<>(() -> WatchedRun.watch(new GateWatch()));
+        FutureTask<SceneResult> watching = new FutureTask<>(() -> WatchedRun.watch(new BriefWatch()));
         Thread thread = new Thread(watching);
         thread.start();
         while (thread.isAlive() && !isWaiting(thread)) {
@@ -58,11 +68,11 @@ class WatchedRunWindowTest {
         });
         SceneResult result = watching.get();
 
-        assertThat(title).isEqualTo("gate-watch - dronewatch");
+        assertThat(title).isEqualTo("brief-watch - dronewatch");
         assertThat(onEventThread(WatchedRunWindowTest::frame)).isEmpty();
         assertThat(result.complete()).isTrue();
         assertThat(result.runs())
                 .as("the results without a window")
-                .isEqualTo(new GateWatch().run().runs());
+                .isEqualTo(new BriefWatch().run().runs());
     }
 }
