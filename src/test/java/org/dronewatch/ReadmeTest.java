@@ -16,30 +16,10 @@ import org.junit.jupiter.api.Test;
 
 /** The README must not promise what is not so. */
 class ReadmeTest {
-    private static final Path EXAMPLES = Path.of("src", "examples", "java", "org", "dronewatch", "examples");
-
     private final String readme;
 
     ReadmeTest() throws IOException {
         this.readme = Files.readString(Path.of("README.md"));
-    }
-
-    /** The readme's own, and that of the page that it leads to. */
-    @Test
-    void itsJavaIsThatOfTheExamples() throws IOException {
-        String sources = Files.readString(EXAMPLES.resolve("GateWatch.java"))
-                + Files.readString(EXAMPLES.resolve("GateWatchTest.java"))
-                + Files.readString(EXAMPLES.resolve("FieldWatch.java"))
-                + Files.readString(EXAMPLES.resolve("RangeExperiment.java"))
-                + Files.readString(EXAMPLES.resolve("RangeExperimentTest.java"));
-        String pages = readme + Files.readString(Path.of("src", "site", "markdown", "java.md"));
-        Matcher blocks = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL).matcher(pages);
-        int found = 0;
-        while (blocks.find()) {
-            assertThat(sources).contains(blocks.group(1).stripTrailing());
-            found++;
-        }
-        assertThat(found).isEqualTo(7);
     }
 
     @Test

@@ -141,21 +141,6 @@ class GuideTest {
         assertThat(Catalog.beside(directory).entry("mine").orElseThrow().kind()).isEqualTo("radar");
     }
 
-    /** The first is the inside of a class, the others are whole files. */
-    @Test
-    void theJavaOfTheGuideIsThatOfTheExamples() throws IOException {
-        Path examples = Path.of("src/examples/java/org/dronewatch/examples");
-        Matcher block = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL)
-                .matcher(Files.readString(PAGES.resolve("guide.md")));
-        assertThat(block.find()).isTrue();
-        assertThat(Files.readString(examples.resolve("Chase.java")))
-                .contains(block.group(1).replaceAll("(?m)^(?=.)", "    "));
-        for (String file : List.of("Patrol.java", "GuardSettings.java")) {
-            assertThat(block.find()).as(file).isTrue();
-            assertThat(Files.readString(examples.resolve(file))).as(file).contains(block.group(1));
-        }
-    }
-
     @Test
     void theSceneInTheReadmeIsTheFile() throws IOException {
         String file = Files.readString(Path.of("scenes/hill-radar.yaml"));
