@@ -24,6 +24,12 @@ import java.util.stream.Stream;
 final class SitePages {
     private static final Path SITE = Path.of("src", "site");
 
+    /** What every page of the site uses. */
+    private static final List<Path> SHARED = List.of(Path.of("css", "site.css"), Path.of("js", "search.js"));
+
+    /** Left out of the search: it names everything. */
+    private static final Path CHANGES = Path.of("CHANGELOG.md");
+
     private final Path project;
     private final Path target;
     /** Where each page is in the project, and its name in the site. */
@@ -60,11 +66,43 @@ final class SitePages {
      */
     void write() throws IOException {
         copy(SITE.resolve("site.xml"), "site.xml");
+        for (Path shared : SHARED) {
+            copy(
+                    SITE.resolve("resources").resolve(shared),
+                    "resources/" + shared.toString().replace('\\', '/'));
+        }
+        Files.writeString(target.resolve("resources/js/pages.js"), searchable());
         for (Map.Entry<Path, String> page : pages.entrySet()) {
             Path file = target.resolve("markdown").resolve(page.getValue());
             Files.createDirectories(file.getParent());
             Files.writeString(file, page(page.getKey()));
         }
+    }
+
+    /** The text of all pages, section by section, as a script that {@code search.js} loads. */
+    private String searchable() throws IOException {
+        StringBuilder script = new StringBuilder("window.dronewatchPages = [\n");
+        for (Map.Entry<Path, String> page : pages.entrySet()) {
+            if (page.getKey().equals(CHANGES)) {
+                continue;
+            }
+            Text text = new Text(Files.readString(project.resolve(page.getKey())));
+            String name = page.getValue().replaceFirst("md$", "html");
+            String title = "";
+            for (Section section : text.sections()) {
+                title = title.isEmpty() ? section.heading() : title;
+                script.append("{page: ").append(quoted(name));
+                script.append(", anchor: ").append(quoted(section.anchor()));
+                script.append(", title: ").append(quoted(title));
+                script.append(", heading: ").append(quoted(section.heading()));
+                script.append(", text: ").append(quoted(section.text())).append("},\n");
+            }
+        }
+        return script.append("];\n").toString();
+    }
+
+    private static String quoted(String text) {
+        return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
     }
 
     private String page(Path source) throws IOException {
@@ -135,6 +173,9 @@ final class SitePages {
     /** A heading: where its text begins. */
     record Heading(int start, String text) {}
 
+    /** A heading with the text up to the next one, without any mark-up, on one line. */
+    record Section(String anchor, String heading, String text) {}
+
     /** A page in Markdown. */
     static final class Text {
         private static final Pattern ADDRESS = Pattern.compile(
@@ -182,6 +223,33 @@ final class SitePages {
                 headings.put(before == 0 ? anchor : anchor + "-" + before, new Heading(found.start(1), text));
             }
             return headings;
+        }
+
+        /** The sections, in their order. */
+        List<Section> sections() {
+            TreeMap<Integer, Map.Entry<String, Heading>> headings = new TreeMap<>();
+            headings()
+                    .entrySet()
+                    .forEach(heading -> headings.put(heading.getValue().start(), heading));
+            List<Section> sections = new ArrayList<>();
+            headings.forEach((start, heading) -> {
+                Integer next = headings.higherKey(start);
+                String text =
+                        all.substring(start + heading.getValue().text().length(), next == null ? all.length() : next);
+                sections.add(
+                        new Section(heading.getKey(), plain(heading.getValue().text()), plain(text)));
+            });
+            return sections;
+        }
+
+        /** Words without mark-up. */
+        private static String plain(String text) {
+            return text.replaceAll("!?\\[([^\\]]*)\\]\\([^)]*\\)", "$1")
+                    .replaceAll("</?[a-z][^>]*>", " ")
+                    .replaceAll("(?m)^ {0,3}#{1,6} *$|^ *[|:-]*-{3,}[|: -]*$|```\\w*", " ")
+                    .replaceAll("[`|]", " ")
+                    .replaceAll("\\s+", " ")
+                    .strip();
         }
 
         /** Lower case, hyphens for blanks, without any other sign. */

@@ -27,6 +27,8 @@ class SitePagesTest {
         write("models/README.md", "# Models\n");
         write("scenes/a.yaml", "a: 1\n");
         write("src/site/site.xml", "<site/>");
+        write("src/site/resources/css/site.css", "img { max-width: 100% }\n");
+        write("src/site/resources/js/search.js", "// not read\n");
         write("src/site/images/b.png", "not read");
         write("src/site/markdown/guide.md", "# Guide\n\n## Who, and `what`?\n\n## Limits\n\n## Limits\n");
         write("README.md", "# Project\n");
@@ -57,6 +59,25 @@ class SitePagesTest {
         assertThat(site.resolve("resources/images/b.png")).exists();
         assertThat(site.resolve("resources/scenes/a.yaml")).hasContent("a: 1\n");
         assertThat(site.resolve("site.xml")).exists();
+        assertThat(site.resolve("resources/css/site.css")).hasContent("img { max-width: 100% }");
+    }
+
+    @Test
+    void everySectionCanBeSearchedByItsWords() throws IOException {
+        write(
+                "src/site/markdown/c.md",
+                "# C\n\nA `b` [\"c\"](guide.md).\n\n## D \\ e\n\n| f | g |\n|---|---|\n| h | i |\n");
+        new SitePages(project, site).write();
+
+        assertThat(Files.readString(site.resolve("resources/js/pages.js")))
+                .startsWith("window.dronewatchPages = [\n")
+                .endsWith("];\n")
+                .contains(
+                        "{page: \"c.html\", anchor: \"c\", title: \"C\", heading: \"C\", text: \"A b \\\"c\\\".\"},\n")
+                .contains("{page: \"c.html\", anchor: \"d--e\", title: \"C\", heading: \"D \\\\ e\","
+                        + " text: \"f g h i\"},\n")
+                .contains("page: \"guide.html\", anchor: \"limits-1\"")
+                .doesNotContain("changelog.html");
     }
 
     @Test
