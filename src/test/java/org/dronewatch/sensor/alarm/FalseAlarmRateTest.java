@@ -34,7 +34,7 @@ class FalseAlarmRateTest {
         assertThat(alarms.perPlace()).isCloseTo(perPlace, withinPercentage(1e-10));
     }
 
-    /** A Poisson number of mean ln 2 is above 0 in half of all looks; one of a tiny mean almost as often as its mean. */
+    /** A Poisson number of mean ln 2 is above 0 in half of all looks; one of a tiny mean, as often as its mean. */
     @Test
     void theProbabilityIsThatOfAtLeastOneInACell() {
         assertThat(new FalseAlarmRate(4.0 * Math.log(2.0), 4, 9, 7.0).probability())
