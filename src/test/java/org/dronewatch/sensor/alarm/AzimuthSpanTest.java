@@ -28,6 +28,16 @@ class AzimuthSpanTest {
         }
     }
 
+    /** A fraction counts clockwise, like an azimuth. */
+    @Test
+    void fractionsBeginAtTheAnticlockwiseEnd() {
+        AzimuthSpan span = new AzimuthSpan(1.0, 0.5);
+        assertThat(span.at(0.0)).isEqualTo(0.75);
+        assertThat(span.at(0.25)).isEqualTo(0.875);
+        assertThat(span.at(0.5)).isEqualTo(1.0);
+        assertThat(span.at(1.0)).isEqualTo(1.25);
+    }
+
     @Test
     void allRoundAndNothing() {
         assertThat(AzimuthSpan.ALL.probabilityWithin(Math.PI, 1.0)).isCloseTo(1.0, within(1e-12));

@@ -49,6 +49,23 @@ class CellGridTest {
         }
     }
 
+    /** Counted by hand: half of the cells on either side of x, then of y, then of z. */
+    @ParameterizedTest
+    @CsvSource({
+        "0, 2, 3, 0.25, 0.5, 0.5",
+        "1, 2, 3, 0.75, 0.5, 0.5",
+        "1, 4, 3, 0.25, 0.75, 0.5",
+        "2, 4, 2, 0.75, 0.25, 0.5",
+        "5, 8, 3, 0.75, 0.25, 0.75",
+        "6, 8, 3, 0.75, 0.75, 0.25",
+        "2, 8, 2, 0.125, 0.75, 0.5"
+    })
+    void ofEqualSidesTheFirstIsCut(long cell, long cells, int dimensions, double x, double y, double z) {
+        double[] middle = {0.5, 0.5, 0.5};
+        CellGrid.locate(cell, cells, dimensions, middle);
+        assertThat(middle).containsExactly(x, y, z);
+    }
+
     @Test
     void coordinatesThatAreNotDividedStayAsTheyAre() {
         double[] point = {0.25, 0.5, 0.75};

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
+import java.util.random.RandomGenerator;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.positioner.Direction;
@@ -36,6 +37,7 @@ import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What sensors report although there is nothing. */
 class FalseAlarmSourceTest {
@@ -119,6 +121,44 @@ class FalseAlarmSourceTest {
             // The variance of a sample's variance is (mean + 2 mean^2) / draws.
             assertThat(variance).isCloseTo(mean, within(4.0 * Math.sqrt((mean + 2.0 * mean * mean) / draws)));
         }
+    }
+
+    private static RandomGenerator drawing(double draw) {
+        return new RandomGenerator() {
+            @Override
+            public long nextLong() {
+                throw new UnsupportedOperationException("only one fraction is drawn");
+            }
+
+            @Override
+            public double nextDouble() {
+                return draw;
+            }
+        };
+    }
+
+    /** Of mean 1, by hand: none up to 1/e, one up to 2/e, two up to 2.5/e. */
+    @ParameterizedTest
+    @CsvSource({"0, 0", "0.3678, 0", "0.3679, 1", "0.7357, 1", "0.7359, 2", "0.9196, 2", "0.9198, 3"})
+    void theNumberIsTheFirstWhoseCumulativeProbabilityExceedsTheDraw(double draw, int count) {
+        assertThat(FalseAlarmSource.poisson(1.0, drawing(draw))).isEqualTo(count);
+    }
+
+    /** As many of the draws, which include 0 and exclude 1, as the probability says. */
+    @Test
+    void aDrawThatEqualsTheProbabilityOfNoneGivesOne() {
+        double none = Math.exp(-2.0);
+        assertThat(FalseAlarmSource.poisson(2.0, drawing(Math.nextDown(none)))).isZero();
+        assertThat(FalseAlarmSource.poisson(2.0, drawing(none))).isEqualTo(1);
+        assertThat(FalseAlarmSource.poisson(0.0, drawing(Math.nextDown(1.0)))).isZero();
+    }
+
+    /** Rounded probabilities may add up to less than the largest draw: even then there is an end. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-3, 0.1, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 29.0, 30.0})
+    void theLargestDrawGivesAFiniteNumber(double mean) {
+        int largest = FalseAlarmSource.poisson(mean, drawing(Math.nextDown(1.0)));
+        assertThat(largest).isBetween(FalseAlarmSource.poisson(mean, drawing(0.999)) + 1, 500);
     }
 
     @Test
@@ -269,6 +309,23 @@ class FalseAlarmSourceTest {
             sum += first.size();
         }
         assertThat((double) sum).isCloseTo(20_000, within(4.0 * Math.sqrt(20_000)));
+    }
+
+    /** What has begun before, and what begins now, does not depend on who has watched since when. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0, 1.0, 5.0, 30.0})
+    void aSourceThatBeginsLaterReportsTheSame(double duration) {
+        RfSettings sensor = RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(7200, 1000, duration));
+        FalseAlarmSource early = FalseAlarmSource.of(sensor, FAIR).orElseThrow();
+        int count = 0;
+        for (int i = 0; i < 40; i++) {
+            Look look = Look.of(SEED, "watch", i, i);
+            List<Observation> seen = early.observe(WORLD, look);
+            FalseAlarmSource late = FalseAlarmSource.of(sensor, FAIR).orElseThrow();
+            assertThat(late.observe(WORLD, look)).as("look %d", i).isEqualTo(seen);
+            count += seen.size();
+        }
+        assertThat(count).isGreaterThan(40);
     }
 
     @Test
