@@ -28,7 +28,7 @@ public final class CathedralModel {
     /** A position in the middle of the nave with nothing within {@link #FREE_RADIUS_METRES} of it. */
     public static final Point FREE_PLACE = new Point(0, 5, 0);
 
-    /** Radius of the free air around {@link #FREE_PLACE}, metres. */
+    /** Radius of the clear space around {@link #FREE_PLACE}, metres. */
     public static final double FREE_RADIUS_METRES = 4;
 
     /** Length of a bay, from pier to pier, metres. */

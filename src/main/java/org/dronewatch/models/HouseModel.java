@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A three-storey house with a flat roof that serves as a platform: a parapet, a stairhead and a plinth for a mast in
- * the middle. It stands with its ground floor at height 0 on a foundation that extends below that, so that it fits on a
- * slope. The long side runs from east to west; every part is a closed solid.
+ * A three-storey house with a flat roof that serves as a platform: a parapet, a stair housing and a plinth for a mast
+ * in the middle. It stands with its ground floor at height 0 on a foundation that extends below that, so that it fits
+ * on a slope. The long side runs from east to west; every part is a closed solid.
  */
 public final class HouseModel {
     /** Half the length of the house along x, metres. */

@@ -11,11 +11,10 @@ import org.dronewatch.parallel.VectorInstructions;
  * interval of ray parameters in which any of its rays is inside a cell, and each triangle on the path is rasterised
  * into the tile; the nearest surface wins. One per thread.
  *
- * <p>A separate ray costs a descent and several triangle tests, a pixel of a tile only a few additions; the benchmark
- * {@code PictureTracing} measures the ratio. Tiles are faster unless triangles are much smaller than pixels: a tile
- * that has met {@link #TRIANGLES_PER_PIXEL} times as many triangles as it has pixels is traced ray by ray instead.
- * Cells that lie behind the triangles found for all pixels, or between the centres of the pixels, are skipped
- * ({@link TileCuller}).
+ * <p>A separate ray costs a descent and several triangle tests, a pixel of a tile only a few additions. Tiles are
+ * faster unless triangles are much smaller than pixels: a tile that has met {@link #TRIANGLES_PER_PIXEL} times as many
+ * triangles as it has pixels is traced ray by ray instead. Cells that lie behind the triangles found for all pixels, or
+ * between the centres of the pixels, are skipped.
  */
 public final class TileTracer {
     /** The largest number of columns of a tile. */

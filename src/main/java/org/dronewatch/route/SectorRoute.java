@@ -97,7 +97,7 @@ public record SectorRoute(
     }
 
     /**
-     * Whether some of the drones on the route are detected, but too late for a response.
+     * Whether the drone may be detected on the route, but too late for a response.
      *
      * @param response time that the response takes, s; 0 if none is required
      */

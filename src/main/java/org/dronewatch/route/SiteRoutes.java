@@ -169,9 +169,9 @@ public final class SiteRoutes {
      * @param routes the weakest routes so far, by sector: those of this search may join them
      * @param sectors for which to search, among those of the routes
      * @param more what else the drone is exposed to; it does not count in the exposure of the result
-     * @return by sector, the weakest route of this search, with the exposure as far as a detection counts; if it takes
-     *     too long, faster versions of it: one speeds up where this adds the least exposure, the other speeds up first
-     *     where a detection comes too late. Empty for sectors without a route that is short enough
+     * @return by sector, the weakest route of this search, with the exposure on the part on which a detection counts;
+     *     if it takes too long, faster versions of it: one speeds up where this adds the least exposure, the other
+     *     speeds up first where a detection comes too late. Empty for sectors without a route that is short enough
      */
     public Map<Integer, List<WeakestRoute>> throughout(
             Map<Integer, WeakestRoute> routes, Set<Integer> sectors, ExposureField more) {
@@ -196,7 +196,7 @@ public final class SiteRoutes {
         return others;
     }
 
-    /** The ways to fly a path within the endurance, with the exposure as far as a detection counts. */
+    /** The ways to fly a path within the endurance, with the exposure on the part on which a detection counts. */
     private List<WeakestRoute> withinEndurance(RoutePath path, WeakestRoute before) {
         return Stream.of(endurance.hastened(path), endurance.hastenedAtTheEnd(routes, path))
                 .distinct()
@@ -293,7 +293,7 @@ public final class SiteRoutes {
         return bySensor;
     }
 
-    /** The exposure to other sensors along a route, as far as a detection counts. */
+    /** The exposure to other sensors along the part of a route on which a detection counts. */
     double counted(WeakestRoute route, SiteExposure to) {
         return new RouteExposure(problem.withField(to)).along(routes.counted(route.path()));
     }

@@ -19,7 +19,7 @@ public final class DetectionLog {
     private final Set<String> birds;
 
     /**
-     * A log of all pairs of a scene.
+     * A log for every sensor and every drone of a scene.
      *
      * @param target receives each event at once, including those of birds
      */

@@ -44,8 +44,8 @@ public interface ContactMatcher {
 
     /**
      * The contacts of other sensors that are the same object as a contact, in the order of their confirmation; at most
-     * one of each sensor. If measurements of one object by several sensors already share a contact number, the result is
-     * empty.
+     * one of each sensor. If measurements of one object by several sensors already share a contact number, the result
+     * is empty.
      *
      * @param confirmed a contact that has been confirmed at the present look of its sensor
      */

@@ -57,7 +57,7 @@ class RouteSlowTest {
         assertThat(slow.code()).as(slow.err()).isZero();
         assertThat(slow.out())
                 .containsPattern("time left +slow +most exposed to")
-                .contains(" to 2.97 m/s, which a radar rejects: no sensor detects", "no sensor detects it on the way");
+                .contains("flying at 2.97 m/s, which a radar rejects, for ", "no sensor detects it on the way");
         JsonNode found = JsonMapper.builder()
                 .build()
                 .readTree(directory.resolve("slow/route.json").toFile());

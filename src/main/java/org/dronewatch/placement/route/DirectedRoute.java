@@ -17,7 +17,7 @@ public record DirectedRoute(int sector, Optional<String> condition, WeakestRoute
         return new DirectedRoute(sector, condition, new WeakestRoute(route.path(), exposure, lower, route.seconds()));
     }
 
-    /** The exposure along the route, as far as a detection counts. */
+    /** The exposure on the part of the route on which a detection counts. */
     public double exposure() {
         return route.exposure();
     }

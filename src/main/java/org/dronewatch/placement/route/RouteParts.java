@@ -16,7 +16,8 @@ import org.dronewatch.placement.site.PresentLayout;
  * @param purchases the order in which to buy the sensors, after those that are kept; empty if it was not computed
  * @param present the scene's own sensors; empty if it has none, or they were not assessed
  * @param remaining if no layout raises the exposure on the weakest route above 0, the weakest routes past all
- *     affordable candidates together, from each direction under each condition, the weakest of all first; otherwise empty
+ *     affordable candidates together, from each direction under each condition, the weakest of all first; otherwise
+ *     empty
  */
 public record RouteParts(
         Map<String, Double> alone,

@@ -29,7 +29,8 @@ abstract class Dual {
             case BEST_SUM -> new BestSumDual(gains, rules);
             case SUM_LEAST -> new SumLeastDual(gains, rules);
             case SATURATED_SUM -> new SaturatedSumDual(gains, rules);
-            case LEAST_SUM -> throw new IllegalArgumentException("groups are added up with weights first");
+            case LEAST_SUM ->
+                throw new IllegalArgumentException("the groups must be combined into a weighted sum first");
             case BEST_LEAST -> throw new IllegalArgumentException("the p-centre has a separate search");
         };
     }

@@ -18,15 +18,15 @@ final class ModeWords {
     private ModeWords() {}
 
     /**
-     * {@code , slowing down for 40 s to 2.97 m/s, which a radar rejects, with its motors off for the last 20 s}; empty
+     * {@code , flying at 2.97 m/s, which a radar rejects, for 40 s, with its motors off for the last 20 s}; empty
      * if it does neither.
      */
     static String clause(SectorRoute route, RouteSurvey survey) {
         OptionalDouble slow = slowed(route, survey);
         OptionalDouble glide = gliding(route, survey);
         return (slow.isPresent()
-                        ? ", slowing down for " + RouteNumbers.seconds(slow) + " to " + speeds(Stream.of(route), survey)
-                                + ", which a radar rejects"
+                        ? ", flying at " + speeds(Stream.of(route), survey) + ", which a radar rejects, for "
+                                + RouteNumbers.seconds(slow)
                         : "")
                 + (glide.isPresent() ? ", with its motors off for the last " + RouteNumbers.seconds(glide) : "");
     }

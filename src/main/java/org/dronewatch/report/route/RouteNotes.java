@@ -133,8 +133,8 @@ final class RouteNotes {
                                 ? ", because each route takes "
                                 : " on " + RouteDirections.routes(routes) + ", which "
                                         + (routes.size() == 1 ? "takes " : "take "))
-                        + RouteNumbers.seconds(longest) + (routes.size() == 1 ? ", and" : " at most, and")
-                        + " the response " + number(inputs.response())
+                        + RouteNumbers.seconds(longest) + (routes.size() == 1 ? "" : " at most")
+                        + ", whereas the response takes " + number(inputs.response())
                         + " s: let the routes begin farther away with a larger --side, if the site extends that far, or with"
                         + " --launch");
     }

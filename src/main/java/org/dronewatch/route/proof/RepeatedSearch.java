@@ -18,7 +18,7 @@ import org.dronewatch.route.search.WeakestRoute;
  * The weakest routes of a site by the looks along them. First the looks along each route that the search has found are
  * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
  * search is repeated with {@link UnforeseenExposure what they have shown} added, and the looks along its routes are
- * assessed as well. Where drones are detected too late, the looks along the routes that are least exposed
+ * assessed as well. Where detections come too late, the looks along the routes that are least exposed
  * {@linkplain SiteRoutes#throughout all the way} are assessed, too. From each sector, the weakest route is kept, in the
  * order of {@link RouteSurvey#weakestFirst}; in a tie, the one that was found first. For use by one thread at a time.
  */
@@ -64,7 +64,7 @@ public final class RepeatedSearch {
     }
 
     /**
-     * Whether there is a sector from which drones are detected too late, and for which late detections have not yet
+     * Whether there is a sector from which detections come too late, and for which late detections have not yet
      * been avoided by another search.
      */
     public boolean isTooLate() {
@@ -72,9 +72,9 @@ public final class RepeatedSearch {
     }
 
     /**
-     * Searches, for the sectors from which drones are detected too late, for the routes that are least exposed all the
-     * way, and assesses the looks along them: on these routes, the number of drones detected in time may be the same,
-     * while fewer are detected overall. This search, too, is repeated with what the looks show added. It is made once
+     * Searches, for the sectors from which detections come too late, for the routes that are least exposed all the
+     * way, and assesses the looks along them: on these routes, a detection in time may be as likely, but
+     * any detection less likely. This search, too, is repeated with what the looks show added. It is made once
      * for each sector; this method has to be called again after the search for detections in time has been
      * {@linkplain #repeat repeated}.
      *

@@ -12,9 +12,10 @@ import org.dronewatch.geometry.Position;
  * time, a Lagrange multiplier, which is raised until the route is short enough and then refined by bisection. For every
  * price, the least sum of exposure and priced time, less the price of the longest time allowed, is a lower bound on the
  * exposure along all routes that are short enough (the dual bound). Of several routes with the same sum, those between
- * the shortest and the least exposed are not found, so a gap may remain. Therefore those that are too long are also
- * {@linkplain Hastening hastened} until they are short enough. Where the limit hardly allows a detour, the price would
- * have to be very high, and {@link CorridorBound} is the better bound. For use by one thread at a time.
+ * the shortest and the least exposed are not found, so a gap may remain. Therefore routes that take too long are
+ * also flown faster until they are short enough. Where the limit hardly allows a detour, the price would have to be
+ * very high, and a bound on all routes within a narrow spheroid about the straight line is better. For use by one
+ * thread at a time.
  */
 public final class EnduranceLimit {
     /** The exposure for which the whole time counts at the first price. */

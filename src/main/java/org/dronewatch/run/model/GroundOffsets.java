@@ -13,7 +13,7 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Warns of models of buildings that hover above the ground or are buried in it, for instance because their heights
+ * Warns of models of buildings that float above the ground or are buried in it, for instance because their heights
  * refer to the ellipsoid and those of the terrain to sea level. What stands on another model, such as a mast on a roof,
  * is not compared with the ground.
  */

@@ -107,8 +107,9 @@ public sealed interface LinkBudget {
          * or 3 dB to 10 dB and more), losses of 6 dB and a sweep of 10 MHz. The losses are those of processing alone:
          * a beam-shape loss of 2.5 dB, since a scanned beam rarely points straight at the drone (a Gaussian beam in two
          * dimensions: D. K. Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming weighting in range and
-         * in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since a threshold is estimated from
-         * 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Those of lines and radome are not included.
+         * in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since the threshold is estimated
+         * from 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Those of lines and radome are not
+         * included.
          */
         @Defaults({"power", "gain", "integrationTime"})
         public static Hardware of(double power, double gain, double integrationTime) {

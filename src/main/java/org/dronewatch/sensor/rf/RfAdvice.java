@@ -29,10 +29,10 @@ final class RfAdvice {
                 .filter(noise -> receiver.minFrequency() > noise.highestFrequency())
                 .map(noise -> String.format(
                         Locale.ROOT,
-                        "environment has no effect: ITU-R P.372 gives its noise only up to %.0f MHz,"
-                                + " and minFrequency is %.0f MHz",
-                        noise.highestFrequency() / MEGAHERTZ,
-                        receiver.minFrequency() / MEGAHERTZ));
+                        "environment has no effect: ITU-R P.372 gives its noise only up to %s MHz,"
+                                + " and minFrequency is %s MHz",
+                        Quantity.FREQUENCY.inBrief(noise.highestFrequency() / MEGAHERTZ),
+                        Quantity.FREQUENCY.inBrief(receiver.minFrequency() / MEGAHERTZ)));
     }
 
     /** Dwells that overlap those of the next look: each look would hear what another has heard already. */

@@ -208,10 +208,12 @@ public final class RfSensor implements AssessableSensor {
         return towards.length() > 0.0 ? settings.beamGain(towards) : 0.0;
     }
 
-    /** Signal-to-noise ratio of an emission on the axis of the antenna without obstructions, dB. */
+    /**
+     * Signal-to-noise ratio of an emission on the axis of the antenna without obstructions, over the same ground, dB.
+     */
     private double inTheOpen(RadioLink link, Position from, double power) {
         double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
-        return power - loss + (settings.gain() - settings.noise(link.frequency()));
+        return power - loss + (settings.gain() - settings.noise(link.frequency())) + groundReflection(link, from);
     }
 
     /** The formula does not hold in the near field: distances below a metre count as a metre. */

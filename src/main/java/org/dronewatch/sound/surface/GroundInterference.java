@@ -4,8 +4,8 @@ import org.dronewatch.sound.OctaveBands;
 
 /**
  * The mean energy of direct and ground-reflected sound together in an octave band: the average, uniform in lg f, of
- * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is the coefficient of
- * {@link SphericalReflection} and C the coherence. The caller accounts for spreading, air and directivity.
+ * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is the spherical-wave
+ * reflection coefficient of the ground and C the coherence. The caller accounts for spreading, air and directivity.
  *
  * @param ground impedance of the ground
  * @param soundSpeed m/s, above 0

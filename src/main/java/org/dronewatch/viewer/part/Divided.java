@@ -21,7 +21,7 @@ public final class Divided {
         return pane;
     }
 
-    /** One part, and another below it at its own height. */
+    /** One part, and another below it at the preferred height of the latter. */
     public static JPanel below(Component first, Component second) {
         JPanel panel = new JPanel(new BorderLayout());
         panel.add(first, BorderLayout.CENTER);

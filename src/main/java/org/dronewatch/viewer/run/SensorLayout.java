@@ -78,7 +78,7 @@ public final class SensorLayout {
                 : Set.of();
     }
 
-    /** Remembers the layout: one undo leads back to it. */
+    /** Remembers the layout: a single undo restores it. */
     public void remember() {
         if (before.isEmpty() || before.peek() != settings) {
             before.push(settings);

@@ -156,10 +156,11 @@ class RouteNotesTest extends RouteSamples {
 
         assertThat(warning(far)).doesNotContain("no detection");
         assertThat(new RouteNotes(inputs).warnings(both).get(0))
-                .contains(
-                        "no detection can be in time on the route from the east, which takes 10 s, and the response 15 s");
+                .contains("no detection can be in time on the route from the east, which takes 10 s, whereas the"
+                        + " response takes 15 s");
         assertThat(new RouteNotes(inputs).warnings(nearAlone).get(0))
-                .contains("no detection can be in time, because each route takes 10 s, and the response 15 s");
+                .contains(
+                        "no detection can be in time, because each route takes 10 s, whereas the response takes 15 s");
     }
 
     /** Slow looks detect less than the search expects, so that they are no reason why it expects nothing. */

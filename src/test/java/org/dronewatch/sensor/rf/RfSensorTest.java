@@ -20,6 +20,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadioLink;
 import org.dronewatch.flight.FlightPathSettings.Hover;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.ModelRole;
 import org.dronewatch.mesh.io.ModelSettings;
 import org.dronewatch.sensor.Aim;
@@ -29,6 +30,8 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.Signal;
 import org.dronewatch.sensor.radio.AntennaPattern;
+import org.dronewatch.sensor.radio.LinearPolarisation;
+import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.world.SiteModel;
 import org.dronewatch.world.World;
@@ -195,5 +198,39 @@ class RfSensorTest {
         assertThat(seen.range()).isEqualTo(100.0);
         assertThat(next(RECEIVER.create(), open(), emitting(100, RadioLink.DEFAULT)))
                 .isEqualTo(seen);
+    }
+
+    /**
+     * Over flat ground 10 m below, the direct and the reflected wave cancel out at 770 m. A building whose edge is 2 m
+     * beside the line weakens the signal a little; it is the ground that makes it too weak.
+     */
+    @Test
+    void aDroneWhoseSignalTheGroundCancelsIsNotHiddenByAnEdgeBesideTheLine() {
+        TriangleMesh ground = TriangleMesh.of(
+                new float[] {-9000, -9000, -10, 9000, -9000, -10, 9000, 9000, -10, -9000, 9000, -10},
+                new int[] {0, 1, 2, 0, 2, 3});
+        TriangleMesh building = TriangleMesh.of(
+                new float[] {2, 500, -10, 400, 500, -10, 400, 500, 60, 2, 500, 60}, new int[] {0, 1, 2, 0, 2, 3});
+        World plain = World.of(ground);
+        TreeMap<Integer, SiteModel> models = new TreeMap<>(Map.of(
+                0, new SiteModel("ground.obj", ModelRole.TERRAIN), 2, new SiteModel("house.obj", ModelRole.BUILDING)));
+        World built = World.of(World.merge(List.of(ground, building))).withModels(models);
+        Drone drone = emitting(770, RadioLink.DEFAULT);
+        RfSettings overGround =
+                RECEIVER.withGroundReflection(new ReflectingGround(15, 0, 0), LinearPolarisation.HORIZONTAL);
+        double free = look(RECEIVER, plain, drone, 1).value();
+        double cancelled = look(overGround, plain, drone, 1).value();
+        double besideTheEdge = look(RECEIVER, built, drone, 1).value();
+        assertThat(cancelled).isLessThan(free - 6.0);
+        assertThat(besideTheEdge).isBetween(free - 2.0, free - 0.5);
+
+        RfSettings between = overGround.withThreshold(cancelled + 4.0);
+        assertThat(between.threshold()).isLessThan(besideTheEdge);
+        assertThat(assess(between, plain, drone).cause()).isEqualTo(Cause.TOO_WEAK);
+        assertThat(assess(between, built, drone).cause()).isEqualTo(Cause.TOO_WEAK);
+        // Where the edge decides, it is still the cause.
+        RfSettings above = overGround.withThreshold(cancelled - 0.5);
+        assertThat(look(overGround, built, drone, 1).value()).isLessThan(above.threshold());
+        assertThat(assess(above, built, drone).cause()).isEqualTo(Cause.HIDDEN_BY_BUILDING);
     }
 }
