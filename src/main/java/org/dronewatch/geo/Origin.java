@@ -12,7 +12,7 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param latitude latitude, north of the equator, rad
  * @param longitude longitude, east of Greenwich, rad
- * @param height height above sea level, -500 to 9000 m; omit it if it is not known: maps are then drawn on the ground
+ * @param height height above sea level, -500 to 9000 m; omit it if it is not known: KML maps then follow the ground
  */
 public record Origin(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,

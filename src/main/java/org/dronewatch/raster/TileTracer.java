@@ -12,7 +12,7 @@ import org.dronewatch.parallel.VectorInstructions;
  * into the tile; the nearest surface wins. One per thread.
  *
  * <p>A separate ray costs a descent and several triangle tests, a pixel of a tile only a few additions. Tiles are
- * faster unless triangles are much smaller than pixels: a tile that has met {@link #TRIANGLES_PER_PIXEL} times as many
+ * faster unless triangles are much smaller than pixels: a tile that has met eight times as many
  * triangles as it has pixels is traced ray by ray instead. Cells that lie behind the triangles found for all pixels, or
  * between the centres of the pixels, are skipped.
  */

@@ -278,7 +278,7 @@ public final class Stage {
     /**
      * Reports all rays traced by every ray-tracing sensor in its first look, without early termination.
      *
-     * @param time where the drones are, seconds since the start of the run
+     * @param time time at which the positions of the drones are taken, seconds since the start of the run
      * @param target returns the recorder for the rays of the sensor and the drone with these names
      */
     public void traceRays(double time, BiFunction<String, String, RayRecorder> target) {
@@ -297,7 +297,7 @@ public final class Stage {
     /**
      * Reports all rays traced from one drone to one sensor in its first look, without early termination.
      *
-     * @param time where the drone is, seconds since the start of the run
+     * @param time time at which the position of the drone is taken, seconds since the start of the run
      * @return whether both exist, and the sensor traces rays
      */
     public boolean traceRays(double time, String sensor, String drone, RayRecorder target) {
@@ -325,7 +325,7 @@ public final class Stage {
     /**
      * Computes the {@linkplain CurveSensor#curves curves}, such as spectra, of every sensor for each drone.
      *
-     * @param time where the drones are, seconds since the start of the run
+     * @param time time at which the positions of the drones are taken, seconds since the start of the run
      * @param target receives the name of a sensor with each of its curves
      */
     public void draw(double time, BiConsumer<String, Curve> target) {

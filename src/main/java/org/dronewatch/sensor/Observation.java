@@ -51,7 +51,7 @@ public record Observation(
     }
 
     /**
-     * A false alarm: a report caused not by a drone but by noise, a bird or an echo.
+     * A false alarm: a report caused not by a drone but by noise, a bird or clutter.
      *
      * @param look identity of the sensor's look, from {@link Look#id}
      * @param sighting the estimated position or direction of its source

@@ -48,7 +48,7 @@ public class PerfectAssociation {
     }
 
     /**
-     * Associates the observations made at one time, when every sensor that looked has an observation.
+     * Associates the observations made at one time, provided that every sensor that looked has an observation.
      *
      * @return each sensor's look at each contact, in the order of the observations
      */

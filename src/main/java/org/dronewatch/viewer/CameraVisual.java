@@ -65,7 +65,7 @@ public final class CameraVisual extends JPanel {
     private transient Consumer<String> hint = text -> {};
 
     /**
-     * The view through a fixed camera, or a thermal one; empty until {@link #showTime}.
+     * The view of a camera on a fixed mount, for visible light or thermal; empty until {@link #showTime}.
      *
      * @param id name to be shown
      * @param sensor settings of the camera

@@ -26,7 +26,7 @@ public final class SiteMemory {
     record Key(TracingIndex index, Object what) {}
 
     /**
-     * An empty memory.
+     * An empty cache.
      *
      * @param most the most that may be kept when something new is added, bytes
      */

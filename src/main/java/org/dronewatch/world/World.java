@@ -226,7 +226,7 @@ public final class World {
     }
 
     /**
-     * This world with a memory of what is computed from its mesh; other worlds of the same index may share that memory.
+     * This world with a cache of what is computed from its mesh; other worlds of the same index may share that cache.
      */
     public World withMemory(SiteMemory shared) {
         return new World(this, shared);

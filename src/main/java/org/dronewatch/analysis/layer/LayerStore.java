@@ -131,7 +131,7 @@ public final class LayerStore {
     }
 
     /**
-     * Assesses one height of a layer, as far as it was not kept.
+     * Assesses one height of a layer, except for what the store has kept of it.
      *
      * @param plan where the columns are
      * @param height its number in the columns

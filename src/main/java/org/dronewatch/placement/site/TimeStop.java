@@ -10,7 +10,8 @@ import java.util.List;
  * @param gap the gap at which the search was to end, as a fraction of the layout's value, 0 to 1
  * @param gapReached whether the layout for the whole budget has reached the gap
  * @param cheaper whether the search for cheaper layouts was stopped, or had no time left to begin
- * @param leftOut what was not complete {@link org.dronewatch.placement.SearchEnd#FOLLOW_UP} later
+ * @param leftOut what was still incomplete {@link org.dronewatch.placement.SearchEnd#FOLLOW_UP} seconds after the time
+ *     limit
  */
 public record TimeStop(double seconds, double gap, boolean gapReached, boolean cheaper, List<LeftOut> leftOut) {
     /** Copies the list. */

@@ -26,8 +26,8 @@ import tools.jackson.databind.node.ObjectNode;
  * @param lost by the name of a sensor whose loss is worst, the routes past the other sensors, as flown; none where the
  *     search has found a route past the others on which nothing detects the drone, or for the reasons above
  * @param isCut whether routes are missing because of an interruption or the time limit
- * @param isSettled whether the figures hold for all routes that flights have shown: if not, the layouts were compared
- *     as often as they may be
+ * @param isSettled whether the figures hold for all routes that flights have shown: if not, the maximum number of
+ *     comparisons of layouts has been reached
  */
 public record RoutePlaceResults(
         BudgetFront<RoutePlacement> front,

@@ -148,7 +148,7 @@ public final class SilhouetteArea {
         return least;
     }
 
-    /** The area in the image as far as the mask shows it, which is between its bounds, pixels. */
+    /** The best estimate of the area in the image from the mask alone, between the two bounds, pixels. */
     public double likely() {
         return likely;
     }
