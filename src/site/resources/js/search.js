@@ -1,4 +1,4 @@
-// A search box on every page. The text of all pages is in js/pages.js, which is loaded when the box is first used, so that the
+// A search box on every page. The text of all pages but the changelog is in js/pages.js, which is loaded when the box is first used, so that the
 // site also works as plain files, without a server.
 "use strict";
 (function () {
@@ -57,18 +57,32 @@
     return item;
   }
 
-  function load(then) {
-    if (window.dronewatchPages) {
-      then();
-      return;
+  let loading;
+
+  /** The sections of all pages, loaded once. */
+  function load() {
+    loading ??= new Promise((resolve, reject) => {
+      const script = document.createElement("script");
+      script.src = "js/pages.js";
+      script.onload = () => resolve(window.dronewatchPages);
+      script.onerror = reject;
+      document.head.append(script);
+    });
+    return loading;
+  }
+
+  /** What is wider than the page scrolls by itself. */
+  function wrapTables() {
+    for (const table of document.querySelectorAll("#bodyColumn table")) {
+      const wide = document.createElement("div");
+      wide.className = "wide";
+      table.before(wide);
+      wide.append(table);
     }
-    const script = document.createElement("script");
-    script.src = "js/pages.js";
-    script.onload = then;
-    document.head.append(script);
   }
 
   document.addEventListener("DOMContentLoaded", () => {
+    wrapTables();
     const place = document.querySelector("#banner .pull-right");
     if (!place) {
       return;
@@ -79,7 +93,7 @@
     const input = document.createElement("input");
     input.type = "search";
     input.placeholder = "Search";
-    input.setAttribute("aria-label", "search all pages");
+    input.setAttribute("aria-label", "search the pages");
     const count = document.createElement("p");
     count.setAttribute("role", "status");
     const results = document.createElement("ol");
@@ -87,8 +101,8 @@
     form.append(input, count, results);
     place.append(form);
 
-    function show() {
-      const hits = found(window.dronewatchPages || [], input.value);
+    function show(pages) {
+      const hits = found(pages, input.value);
       const isAsked = words(input.value).length > 0;
       results.replaceChildren(...hits.map(section => entry(section, input.value)));
       results.hidden = hits.length === 0;
@@ -97,7 +111,7 @@
         : hits.length === 0
           ? "nothing found"
           : hits.length === MOST
-            ? "the best " + MOST + " results"
+            ? MOST + " results or more"
             : hits.length === 1
               ? "1 result"
               : hits.length + " results";
@@ -110,11 +124,15 @@
         window.location.href = first.href;
       }
     });
-    input.addEventListener("input", () => load(show));
+    function search() {
+      load().then(show, () => (count.textContent = "js/pages.js cannot be read"));
+    }
+
+    input.addEventListener("input", search);
     form.addEventListener("keydown", event => {
       if (event.key === "Escape") {
         input.value = "";
-        show();
+        search();
         input.focus();
       }
     });

@@ -1,6 +1,7 @@
 package org.dronewatch.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Window;
@@ -55,12 +56,15 @@ class WatchedRunWindowTest {
         assumeTrue(Viewer.obstacle().isEmpty(), "needs a display");
         FutureTask<SceneResult> watching = new FutureTask<>(() -> WatchedRun.watch(new BriefWatch()));
         Thread thread = new Thread(watching);
+        thread.setDaemon(true);
         thread.start();
         while (thread.isAlive() && !isWaiting(thread)) {
             Thread.sleep(20);
         }
+        if (watching.isDone()) {
+            fail("the run ended before its window: %s", watching.get());
+        }
         String title = onEventThread(() -> frame().orElseThrow().getTitle());
-        assertThat(watching.isDone()).isFalse();
         onEventThread(() -> {
             JFrame window = frame().orElseThrow();
             window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING));

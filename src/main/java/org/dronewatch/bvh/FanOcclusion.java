@@ -13,7 +13,7 @@ import jdk.incubator.vector.VectorSpecies;
  * others the functions are evaluated for eight segments at a time.
  *
  * <p>All this is in single precision, with bounded errors. So a segment is certainly hidden by a triangle, or certainly
- * not, or it is in doubt. One per thread.
+ * not, or it is in doubt. For use by one thread.
  */
 final class FanOcclusion {
     /** How many triangles are tested at a time. */

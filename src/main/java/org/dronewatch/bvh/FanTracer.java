@@ -6,7 +6,7 @@ import org.dronewatch.kdtree.KDTree;
 
 /**
  * Descends a tree for all segments of a {@link FanBeam} at once, nearer cells first, and tests the triangles in the
- * cells that any of them crosses. One per thread.
+ * cells that any of them crosses. For use by one thread.
  */
 final class FanTracer {
     /** Widens directions, and the interval of a cell, by more than the rounding errors of their bounds. */

@@ -2,7 +2,7 @@ package org.dronewatch.bvh;
 
 /**
  * Square cells of a rectangle, numbered along a chain of Hilbert curves: cells whose numbers are close are close to
- * each other. One per thread.
+ * each other. For use by one thread.
  */
 final class HilbertCells {
     private static final int MOST_BITS = 7;

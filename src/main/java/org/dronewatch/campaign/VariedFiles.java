@@ -8,7 +8,10 @@ import org.dronewatch.setting.CanonicalSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.input.FileHash;
 
-/** The files named by values that vary, so that results computed from other contents are recognised. For one thread. */
+/**
+ * The files named by values that vary, so that results computed from other contents are recognised. For use by one
+ * thread.
+ */
 final class VariedFiles {
     /** The name of a file has a suffix; in a quantity, no letter follows the point. */
     private static final Pattern NAME = Pattern.compile("\\.\\p{Alpha}");

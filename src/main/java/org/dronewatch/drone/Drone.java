@@ -84,7 +84,8 @@ public final class Drone {
     }
 
     /**
-     * This drone rotated about its own z axis (up) at a rate in rad/s for dt seconds, anticlockwise as seen from above.
+     * This drone rotated about its own z axis (up) at a rate in rad/s for dt seconds, counter-clockwise as seen from
+     * above.
      */
     public Drone rotateZ(double rate, double dt) {
         Matrix4d turn = new Matrix4d();

@@ -70,7 +70,8 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A straight flight from one point to another, at cruise speed from the beginning; the drone stays at the end.
+     * A straight flight from one point to another, at cruise speed from the beginning; then the drone remains at the
+     * end point.
      *
      * @param from position at time 0, m
      * @param to position at the end, m

@@ -14,7 +14,7 @@ import org.locationtech.proj4j.ProjCoordinate;
  * allows for the angle between grid north and true north, for the scale of the grid, and for the curvature of the
  * earth, by which ground 5 km away is 2 m lower; subtracting map coordinates would ignore all three.
  *
- * <p>Heights are above sea level, and unchanged by a change of datum. One per thread.
+ * <p>Heights are above sea level, and unchanged by a change of datum. For use by one thread.
  */
 public final class MapTransform {
     /** Limit of the heights that are transformed, m. */

@@ -3,7 +3,7 @@ package org.dronewatch.geometry;
 /**
  * The segment in which a plane intersects a triangle. A plane through corners is treated as if it lay an infinitesimal
  * distance to one side of them, so that it intersects each triangle in one segment or not at all, and the segments of
- * triangles that share an edge share an end there, to the last bit. One per thread.
+ * triangles that share an edge share an end there, to the last bit. For use by one thread.
  */
 public final class CutTriangle {
     private final Corners corners;

@@ -2,7 +2,7 @@ package org.dronewatch.kdtree;
 
 import java.util.Optional;
 
-/** The cheapest of the planes that have been tried in a voxel, after {@link SahCost}. One per thread. */
+/** The cheapest of the planes that have been tried in a voxel, after {@link SahCost}. For use by one thread. */
 final class CheapestSplit {
     private final SahCost costs;
     private int[] voxel = new int[SahSplitFinder.BOX];

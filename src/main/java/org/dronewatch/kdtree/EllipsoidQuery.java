@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
  * Finds the triangles of a tree that come near an ellipsoid with two foci: the points for which the sum of the
  * distances from both foci is at most a limit, such as the points that a path of bounded length between the foci can
  * reach. The result contains every triangle that intersects the ellipsoid, and a few near it, because boxes are tested
- * instead of triangles. Allocates only when a query finds more triangles than any before it. One per thread.
+ * instead of triangles. Allocates only when a query finds more triangles than any before it. For use by one thread.
  */
 public final class EllipsoidQuery {
     private final KDTree tree;

@@ -14,7 +14,7 @@ import java.util.Optional;
  *
  * <p>Boxes and voxels are given as grid numbers (see {@link KDNode}), triangles rounded outwards. On the grid the sweep
  * is exact: what it counts on each side is what {@link Split} will put there. A triangle that lies in a plane between
- * two grid values is a thin box here, and both of its sides are tried. One per thread.
+ * two grid values is a thin box here, and both of its sides are tried. For use by one thread.
  */
 final class SahSplitFinder {
     /** How many numbers a box has: minimum on three axes, then maximum. */

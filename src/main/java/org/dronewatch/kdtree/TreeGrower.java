@@ -21,7 +21,7 @@ import org.dronewatch.parallel.Workers;
  * the tree the same at most, it is tried again only where a quarter of the references is left.
  *
  * <p>All of this depends on the part alone, not on which thread comes first: the tree is the same for any number of
- * them. One per thread.
+ * them. For use by one thread.
  */
 final class TreeGrower {
     /** Parts of fewer triangles are not worth another thread. */

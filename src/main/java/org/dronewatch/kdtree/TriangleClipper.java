@@ -3,7 +3,7 @@ package org.dronewatch.kdtree;
 /**
  * The box of the part of a triangle inside a voxel ("perfect splits"): a triangle that crosses a voxel's corner often
  * fills a small part of it only, and splits at the bounds of that part are better. Clips by Sutherland and Hodgman
- * (1974) in double precision and rounds outwards. One per thread.
+ * (1974) in double precision and rounds outwards. For use by one thread.
  */
 final class TriangleClipper {
     /** A triangle cut by six planes has at most nine corners. */

@@ -2,7 +2,7 @@ package org.dronewatch.raster;
 
 import java.util.Arrays;
 
-/** The pixels of a tile: what each of them sees, and how near that is. One per thread. */
+/** The pixels of a tile: what each of them sees, and how near that is. For use by one thread. */
 final class TileBuffer {
     /** Number of columns, and of rows, of a block, a power of two. */
     private static final int BLOCK = 4;

@@ -3,7 +3,7 @@ package org.dronewatch.raster;
 /**
  * Decides in which boxes a tile can still see something. Where the ground is seen from the side, ten and more triangles
  * lie behind each pixel, and most cells of the tree behind the first hills are hidden, or lie between the pixels'
- * centres: their triangles are culled. One per thread.
+ * centres: their triangles are culled. For use by one thread.
  */
 final class TileCuller {
     /** How far a box's projection onto the tile is widened, in pixels: more than the rasteriser widens edges. */

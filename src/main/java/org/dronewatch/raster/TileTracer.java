@@ -9,7 +9,7 @@ import org.dronewatch.parallel.VectorInstructions;
  * A rasteriser of image tiles: finds the nearest triangle for each pixel of a tile. All rays of a tile have the same
  * origin, and their directions lie on a regular grid, so the tree is descended once for the whole tile, with the
  * interval of ray parameters in which any of its rays is inside a cell, and each triangle on the path is rasterised
- * into the tile; the nearest surface wins. One per thread.
+ * into the tile; the nearest surface wins. For use by one thread.
  *
  * <p>A separate ray costs a descent and several triangle tests, a pixel of a tile only a few additions. Tiles are
  * faster unless triangles are much smaller than pixels: a tile that has met eight times as many

@@ -4,7 +4,7 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
  * Sets triangles up for the rasteriser: projects their corners onto the tile, culls those without a pixel, and computes
- * their edge functions and the inverse of the ray parameter. One per thread.
+ * their edge functions and the inverse of the ray parameter. For use by one thread.
  *
  * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge
  * functions of a triangle, whose signs separate inside from outside, and the inverse of the ray parameter are linear in

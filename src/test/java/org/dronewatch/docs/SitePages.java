@@ -79,7 +79,7 @@ final class SitePages {
         }
     }
 
-    /** The text of all pages, section by section, as a script that {@code search.js} loads. */
+    /** The text of all pages but the changelog, section by section, as a script that {@code search.js} loads. */
     private String searchable() throws IOException {
         StringBuilder script = new StringBuilder("window.dronewatchPages = [\n");
         for (Map.Entry<Path, String> page : pages.entrySet()) {
@@ -173,7 +173,7 @@ final class SitePages {
     /** A heading: where its text begins. */
     record Heading(int start, String text) {}
 
-    /** A heading with the text up to the next one, without any mark-up, on one line. */
+    /** A heading with the text up to the next one, as words on one line. */
     record Section(String anchor, String heading, String text) {}
 
     /** A page in Markdown. */
@@ -245,7 +245,7 @@ final class SitePages {
         /** Words without mark-up. */
         private static String plain(String text) {
             return text.replaceAll("!?\\[([^\\]]*)\\]\\([^)]*\\)", "$1")
-                    .replaceAll("</?[a-z][^>]*>", " ")
+                    .replaceAll("</?(?:a|b|br|div|em|i|img|p|span|strong|sub|sup)\\b[^>]*>|\\*\\*", " ")
                     .replaceAll("(?m)^ {0,3}#{1,6} *$|^ *[|:-]*-{3,}[|: -]*$|```\\w*", " ")
                     .replaceAll("[`|]", " ")
                     .replaceAll("\\s+", " ")

@@ -66,14 +66,14 @@ class SitePagesTest {
     void everySectionCanBeSearchedByItsWords() throws IOException {
         write(
                 "src/site/markdown/c.md",
-                "# C\n\nA `b` [\"c\"](guide.md).\n\n## D \\ e\n\n| f | g |\n|---|---|\n| h | i |\n");
+                "# C\n\nA **`b`** [\"c\"](guide.md), `<ele>`.\n\n## D \\ e\n\n| f | g |\n|---|---|\n| h | i |\n");
         new SitePages(project, site).write();
 
         assertThat(Files.readString(site.resolve("resources/js/pages.js")))
                 .startsWith("window.dronewatchPages = [\n")
                 .endsWith("];\n")
                 .contains(
-                        "{page: \"c.html\", anchor: \"c\", title: \"C\", heading: \"C\", text: \"A b \\\"c\\\".\"},\n")
+                        "{page: \"c.html\", anchor: \"c\", title: \"C\", heading: \"C\", text: \"A b \\\"c\\\", <ele> .\"},\n")
                 .contains("{page: \"c.html\", anchor: \"d--e\", title: \"C\", heading: \"D \\\\ e\","
                         + " text: \"f g h i\"},\n")
                 .contains("page: \"guide.html\", anchor: \"limits-1\"")

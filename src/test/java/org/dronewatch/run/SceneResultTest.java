@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
+import org.dronewatch.scenes.CameraRange;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -23,15 +24,35 @@ class SceneResultTest {
     @Test
     void aMisspeltNameIsRefusedWithTheNamesThatThereAre() {
         RunResult run = result.runs().get(0);
-        String sensor = "no sensor 'radr'; the scene has radar";
+        String sensor = "no sensor 'radr'; there is only radar";
 
         assertRefused(() -> run.firstDetectionRange("radr"), sensor);
         assertRefused(() -> run.firstDetection("radr"), sensor);
-        assertRefused(() -> result.firstDetectionRange("radr", "quadrotor"), "no sensor 'radr'; the run has radar");
+        assertRefused(() -> result.firstDetectionRange("radr", "quadrotor"), sensor);
         assertRefused(
-                () -> result.firstDetectionRange("radar", "quadrotr"), "no drone 'quadrotr'; the run has quadrotor");
-        assertRefused(() -> result.alert("quadrotr"), "no drone 'quadrotr'; the first run has quadrotor");
-        assertRefused(() -> result.firstDetectionRange(3, "radar", "quadrotor"), "no run 3, only run 0");
+                () -> result.firstDetectionRange("radar", "quadrotr"), "no drone 'quadrotr'; there is only quadrotor");
+        assertRefused(() -> result.alert("quadrotr"), "no drone 'quadrotr'; there is only quadrotor");
+        assertRefused(() -> result.firstDetectionRange(3, "radar", "quadrotor"), "no run '3'; there is only 0");
+    }
+
+    /** One run of a sweep has its number in the sweep. */
+    @Test
+    void aRunThatWasNotRunIsRefused() {
+        SceneResult third =
+                new SceneRunner(new CameraRange()).only(2).until(1.0).run();
+
+        assertRefused(() -> third.alert("quadrotor"), "no run '0'; there is only 2");
+        assertRefused(() -> third.firstDetectionRange("camera", "quadrotor"), "no run '0'; there is only 2");
+    }
+
+    @Test
+    void aSensorThatIsSwitchedOffIsNotOneThatDetectsNothing() {
+        SceneRunner runner = new SceneRunner(new SceneFile(Path.of("scenes", "hill-radar.yaml")));
+        SceneResult off =
+                runner.set("sensors.radar.enabled", "false").until(1.0).run();
+
+        assertRefused(() -> off.runs().get(0).firstDetectionRange("radar"), "sensor 'radar' is switched off");
+        assertRefused(() -> off.firstDetectionRange("radar", "quadrotor"), "no sensor 'radar'; there is none");
     }
 
     private static void assertRefused(ThrowingCallable question, String reason) {

@@ -89,7 +89,8 @@ public final class ModelFile {
         String problem = wrongWith(path, MAX_BYTES);
         if (!problem.isEmpty()) {
             // A relative path says little to those who start programs in another directory than they think.
-            throw new InputException("model file " + PlainText.value(path.toAbsolutePath()) + " " + problem);
+            throw new InputException(
+                    "model file " + PlainText.value(path.toAbsolutePath().normalize()) + " " + problem);
         }
         LinkOut.refuse(directory, path, "model file");
         return new ModelFile(file, path, null);

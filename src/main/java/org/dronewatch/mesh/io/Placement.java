@@ -10,7 +10,7 @@ import org.dronewatch.setting.InputException;
 
 /**
  * Transforms coordinates of a model file into the world frame, one vertex at a time; only the result is rounded to
- * single precision. One per thread.
+ * single precision. For use by one thread.
  */
 final class Placement {
     private final boolean yUp;

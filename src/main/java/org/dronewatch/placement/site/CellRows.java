@@ -18,7 +18,9 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 
-/** The rows of {@link CoveredCells} under one condition: one for each open cell on each course. For one thread. */
+/**
+ * The rows of {@link CoveredCells} under one condition: one for each open cell on each course. For use by one thread.
+ */
 final class CellRows {
     private final SceneSettings scene;
     private final Stage stage;

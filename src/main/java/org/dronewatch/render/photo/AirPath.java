@@ -2,7 +2,7 @@ package org.dronewatch.render.photo;
 
 /**
  * A straight line through {@link ClearAir}, divided into steps that are short where the air is dense: around its lowest
- * point. One per thread.
+ * point. For use by one thread.
  */
 final class AirPath {
     private double radius;

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.raster.TileTracer;
 
-/** Exposes one tile of a picture after the other. One per thread. */
+/** Exposes one tile of a picture after the other. For use by one thread. */
 final class PhotoTile {
     private static final int NONE = -1;
 

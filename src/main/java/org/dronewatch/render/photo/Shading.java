@@ -8,7 +8,7 @@ import org.dronewatch.world.Visibility;
 /**
  * The light that matt surfaces send to the camera: Lambert's cosine law for the sun, with a shadow ray, and the light
  * of the sky, of which corners receive less. How much less is their obscurance: rays into the hemisphere count more
- * the farther they get (Zhukov, Iones and Kronin, "An ambient light illumination model", 1998). One per thread.
+ * the farther they get (Zhukov, Iones and Kronin, "An ambient light illumination model", 1998). For use by one thread.
  */
 final class Shading {
     /** Distance at which a hit takes away 1/e of a ray's light, m. */

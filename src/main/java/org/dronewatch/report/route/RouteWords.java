@@ -53,8 +53,8 @@ final class RouteWords {
             return switch (cause) {
                 case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
                 case TOO_SLOW, TOO_FAST ->
-                    often.strip() + " flying across radars' lines of sight or at a speed that they reject";
-                case UNKNOWN -> often.strip() + " where the sensors' lines of sight leave the known ground";
+                    "flying across radars' lines of sight or at a speed that they reject," + often;
+                case UNKNOWN -> "with unknown ground between it and the sensors" + often;
                 case SILENT ->
                     (isMostly ? "mostly" : often.strip()) + " without emitting anything that the sensors recognise";
                 default -> CoverageTable.name(cause) + often;

@@ -17,7 +17,7 @@ public record AzimuthSpan(double centre, double width) {
         }
     }
 
-    /** The azimuth at a fraction of the width from its anticlockwise end, 0 to 1, rad. */
+    /** The azimuth at a fraction of the width from its counter-clockwise end, 0 to 1, rad. */
     public double at(double fraction) {
         return centre + (fraction - 0.5) * width;
     }

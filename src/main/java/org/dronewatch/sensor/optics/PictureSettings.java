@@ -18,7 +18,7 @@ public interface PictureSettings extends Aimed, Imaging {
     Aim aim();
 
     /**
-     * The camera's rotation about its axis, right side down, so that the image rotates anticlockwise, rad. At 0 the
+     * The camera's rotation about its axis, right side down, so that the image rotates counter-clockwise, rad. At 0 the
      * horizon is level.
      */
     default double roll() {

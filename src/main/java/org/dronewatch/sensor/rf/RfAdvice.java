@@ -30,7 +30,7 @@ final class RfAdvice {
                 .map(noise -> String.format(
                         Locale.ROOT,
                         "environment has no effect: ITU-R P.372 gives its noise only up to %s MHz,"
-                                + " and minFrequency is %s MHz",
+                                + " less than minFrequency, %s MHz",
                         Quantity.FREQUENCY.inBrief(noise.highestFrequency() / MEGAHERTZ),
                         Quantity.FREQUENCY.inBrief(receiver.minFrequency() / MEGAHERTZ)));
     }

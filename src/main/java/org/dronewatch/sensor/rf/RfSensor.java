@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.random.RandomGenerator;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.RadioLink;
@@ -95,15 +96,17 @@ public final class RfSensor implements AssessableSensor {
         if (!settings.hears(link)) {
             return settings.silence(link);
         }
-        double onAxis = inTheOpen(link, drone.origin(), link.power());
+        double onAxis = pastEdges(link, drone.origin(), link.power(), way -> 1.0);
         double pilotOnAxis = link.pilot()
-                .map(pilot -> inTheOpen(link, pilot, link.pilotPower()))
+                .map(pilot -> pastEdges(link, pilot, link.pilotPower(), way -> 1.0))
                 .orElse(Double.NEGATIVE_INFINITY);
         if (reception(drone, onAxis, pilotOnAxis).median() < settings.threshold()) {
             return Explanation.of(Cause.TOO_WEAK);
         }
-        double ofDrone = onAxis + beamGain(drone.origin());
-        double ofPilot = pilotOnAxis + link.pilot().map(this::beamGain).orElse(0.0);
+        double ofDrone = inBeam(link, drone.origin(), link.power());
+        double ofPilot = link.pilot()
+                .map(pilot -> inBeam(link, pilot, link.pilotPower()))
+                .orElse(Double.NEGATIVE_INFINITY);
         if (reception(drone, ofDrone, ofPilot).median() < settings.threshold()) {
             return Explanation.of(Cause.OUT_OF_VIEW);
         }
@@ -186,20 +189,23 @@ public final class RfSensor implements AssessableSensor {
         double beyondClutter = settings.clutterIncludesEdges() ? Math.max(0.0, edges - settings.clutter()) : edges;
         double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + beyondClutter + settings.clutter();
         double received = power + settings.gain() + beamGain(from);
-        return received - loss - settings.noise(link.frequency()) + groundReflection(link, from);
+        return received - loss - settings.noise(link.frequency()) + groundReflection(link, from, relativeTo(from));
     }
 
-    /** What the reflection from the ground adds, dB; 0 unless it is set. */
-    private double groundReflection(RadioLink link, Position from) {
+    /**
+     * What the reflection from the ground adds, dB; 0 unless it is set.
+     *
+     * @param weight amplitude with which the antenna receives from a direction, relative to that of the direct wave
+     */
+    private double groundReflection(RadioLink link, Position from, ToDoubleFunction<Position> weight) {
         boolean isVertical = settings.polarisation() == LinearPolarisation.VERTICAL;
-        double gain = beamGain(from);
-        return rays.map(two -> two.weighted(
-                        settings.position(),
-                        from,
-                        link.frequency(),
-                        isVertical,
-                        way -> Math.pow(10.0, 0.05 * (settings.beamGain(way) - gain))))
+        return rays.map(two -> two.weighted(settings.position(), from, link.frequency(), isVertical, weight))
                 .orElse(0.0);
+    }
+
+    private ToDoubleFunction<Position> relativeTo(Position emitter) {
+        double gain = beamGain(emitter);
+        return way -> Math.pow(10.0, 0.05 * (settings.beamGain(way) - gain));
     }
 
     /** Gain of the antenna towards a position relative to that on the axis of its beam, dB. */
@@ -208,12 +214,18 @@ public final class RfSensor implements AssessableSensor {
         return towards.length() > 0.0 ? settings.beamGain(towards) : 0.0;
     }
 
-    /**
-     * Signal-to-noise ratio of an emission on the axis of the antenna without obstructions, over the same ground, dB.
-     */
-    private double inTheOpen(RadioLink link, Position from, double power) {
+    /** Signal-to-noise ratio of an emission if no edge weakened the direct wave, dB. */
+    private double inBeam(RadioLink link, Position from, double power) {
+        return pastEdges(link, from, power, relativeTo(from)) + beamGain(from);
+    }
+
+    /** The same on the axis of the antenna, dB; see {@link #groundReflection} for the weight. */
+    private double pastEdges(RadioLink link, Position from, double power, ToDoubleFunction<Position> weight) {
         double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
-        return power - loss + (settings.gain() - settings.noise(link.frequency())) + groundReflection(link, from);
+        return power
+                - loss
+                + (settings.gain() - settings.noise(link.frequency()))
+                + groundReflection(link, from, weight);
     }
 
     /** The formula does not hold in the near field: distances below a metre count as a metre. */

@@ -206,6 +206,6 @@ class ModelLoaderTest {
     void aMissingFileIsNamed(String file) {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new ModelLoader(directory).load(ModelSettings.of(file)))
-                .withMessageContaining(file.substring(file.indexOf(':') + 1));
+                .withMessageContaining(file.equals(".") ? directory.toString() : file.substring(file.indexOf(':') + 1));
     }
 }

@@ -30,7 +30,7 @@ class AzimuthSpanTest {
 
     /** A fraction counts clockwise, like an azimuth. */
     @Test
-    void fractionsBeginAtTheAnticlockwiseEnd() {
+    void fractionsBeginAtTheCounterClockwiseEnd() {
         AzimuthSpan span = new AzimuthSpan(1.0, 0.5);
         assertThat(span.at(0.0)).isEqualTo(0.75);
         assertThat(span.at(0.25)).isEqualTo(0.875);

@@ -21,13 +21,13 @@ class RfAdviceTest {
     @Test
     void anEnvironmentWithoutEffectIsNamedWithBothFrequencies() {
         assertThat(RECEIVER.withEnvironment(ManMadeNoise.RURAL).advice())
-                .containsExactly("environment has no effect: ITU-R P.372 gives its noise only up to 250 MHz, and"
-                        + " minFrequency is 400 MHz");
+                .containsExactly("environment has no effect: ITU-R P.372 gives its noise only up to 250 MHz, less"
+                        + " than minFrequency, 400 MHz");
         assertThat(RECEIVER.withFrequencies(2.4e9, 6e9)
                         .withEnvironment(ManMadeNoise.BUSINESS)
                         .advice())
-                .containsExactly("environment has no effect: ITU-R P.372 gives its noise only up to 900 MHz, and"
-                        + " minFrequency is 2400 MHz");
+                .containsExactly("environment has no effect: ITU-R P.372 gives its noise only up to 900 MHz, less"
+                        + " than minFrequency, 2400 MHz");
     }
 
     /** At the highest frequency with a figure, there still is one. */

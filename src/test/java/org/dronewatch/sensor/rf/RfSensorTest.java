@@ -233,4 +233,29 @@ class RfSensorTest {
         assertThat(look(overGround, built, drone, 1).value()).isLessThan(above.threshold());
         assertThat(assess(above, built, drone).cause()).isEqualTo(Cause.HIDDEN_BY_BUILDING);
     }
+
+    /**
+     * The antenna looks down at the ground where the wave is reflected, and hardly receives the direct wave. On its
+     * axis, the direct and the reflected wave would be equal: the difference off the axis does not count there.
+     */
+    @Test
+    void aDroneThatIsTooWeakEvenOnTheAxisIsNotOutOfView() {
+        TriangleMesh ground = TriangleMesh.of(
+                new float[] {-9000, -9000, -10, 9000, -9000, -10, 9000, 9000, -10, -9000, 9000, -10},
+                new int[] {0, 1, 2, 0, 2, 3});
+        World plain = World.of(ground);
+        Drone drone = emitting(100, RadioLink.DEFAULT);
+        ReflectingGround smooth = new ReflectingGround(15, 0, 0);
+        RfSettings omnidirectional = RECEIVER.withGroundReflection(smooth, LinearPolarisation.HORIZONTAL);
+        double onAxis = look(omnidirectional, plain, drone, 1).value();
+        RfSettings down = omnidirectional
+                .withBeam(AntennaPattern.of(Math.toRadians(10), Math.toRadians(10)))
+                .withAim(new Aim.Direction(0.0, Math.toRadians(-30)));
+        assertThat(look(down, plain, drone, 1).value()).isLessThan(onAxis - 6.0);
+
+        assertThat(assess(down.withThreshold(onAxis + 1.0), plain, drone).cause())
+                .isEqualTo(Cause.TOO_WEAK);
+        assertThat(assess(down.withThreshold(onAxis - 1.0), plain, drone).cause())
+                .isEqualTo(Cause.OUT_OF_VIEW);
+    }
 }
