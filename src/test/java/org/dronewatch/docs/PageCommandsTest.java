@@ -136,7 +136,7 @@ class PageCommandsTest {
     }
 
     private static void delete(Path output) throws IOException {
-        assertThat(output.normalize()).startsWith(directory);
+        assertThat(output.normalize().startsWith(directory)).as("%s", output).isTrue();
         if (Files.exists(output)) {
             try (Stream<Path> files = Files.walk(output)) {
                 for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
