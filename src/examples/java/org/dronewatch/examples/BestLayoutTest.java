@@ -25,6 +25,9 @@ class BestLayoutTest {
     private void writeThePagesFiles() throws IOException {
         List<String> page = Files.readAllLines(PAGE);
         int head = page.indexOf("    " + CANDIDATES + "        " + VALUES);
+        assertThat(head)
+                .as("the line of %s that names the columns of both files", PAGE)
+                .isNotNegative();
         List<String> left = new ArrayList<>();
         List<String> right = new ArrayList<>();
         for (int i = head; page.get(i).startsWith("    "); i++) {

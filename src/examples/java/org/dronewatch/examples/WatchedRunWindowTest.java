@@ -1,20 +1,14 @@
 package org.dronewatch.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.fail;
+import static org.dronewatch.viewer.EventThread.onEventThread;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.Window;
-import java.awt.event.WindowEvent;
-import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
-import javax.swing.JFrame;
-import javax.swing.SwingUtilities;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scenario.RunSettings;
+import org.dronewatch.viewer.ShownWindow;
 import org.dronewatch.viewer.Viewer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -30,26 +24,6 @@ class WatchedRunWindowTest {
         }
     }
 
-    private static <T> T onEventThread(Callable<T> work) throws Exception {
-        FutureTask<T> task = new FutureTask<>(work);
-        SwingUtilities.invokeAndWait(task);
-        return task.get();
-    }
-
-    private static Optional<JFrame> frame() {
-        return Stream.of(Window.getWindows())
-                .filter(Window::isShowing)
-                .filter(JFrame.class::isInstance)
-                .map(JFrame.class::cast)
-                .findFirst();
-    }
-
-    /** Whether a thread waits for the user to close the window: the run has ended. */
-    private static boolean isWaiting(Thread thread) {
-        return Stream.of(thread.getStackTrace())
-                .anyMatch(call -> call.getMethodName().equals("awaitClosed"));
-    }
-
     @Test
     @Timeout(value = 2, unit = TimeUnit.MINUTES)
     void theRunIsShownUntilTheUserClosesTheWindow() throws Exception {
@@ -58,22 +32,14 @@ class WatchedRunWindowTest {
         Thread thread = new Thread(watching);
         thread.setDaemon(true);
         thread.start();
-        while (thread.isAlive() && !isWaiting(thread)) {
-            Thread.sleep(20);
-        }
-        if (watching.isDone()) {
-            fail("the run ended before its window: %s", watching.get());
-        }
-        String title = onEventThread(() -> frame().orElseThrow().getTitle());
-        onEventThread(() -> {
-            JFrame window = frame().orElseThrow();
-            window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING));
-            return null;
-        });
+        ShownWindow.awaitFinished();
+        String title = onEventThread(() -> ShownWindow.frame().orElseThrow().getTitle());
+        assertThat(watching.isDone()).isFalse();
+        ShownWindow.close();
         SceneResult result = watching.get();
 
         assertThat(title).isEqualTo("brief-watch - dronewatch");
-        assertThat(onEventThread(WatchedRunWindowTest::frame)).isEmpty();
+        assertThat(onEventThread(ShownWindow::frame)).isEmpty();
         assertThat(result.complete()).isTrue();
         assertThat(result.runs())
                 .as("the results without a window")

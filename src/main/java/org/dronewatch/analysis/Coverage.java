@@ -15,6 +15,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Spelling;
 
 /**
  * The coverage of a site: where each sensor detects a drone, and why it does not elsewhere. The drone is placed at
@@ -60,8 +61,8 @@ public final class Coverage {
         Drone sample = stage.dronesAt(0.0).stream()
                 .filter(one -> one.id().equals(drone))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no drone '" + drone + "'; the scene has "
-                        + String.join(", ", settings.individualDrones().keySet())));
+                .orElseThrow(() -> new IllegalArgumentException(Spelling.unknown(
+                        "drone", drone, "the scene", settings.individualDrones().keySet())));
         SurfaceHeights heights = new SurfaceHeights(stage.world(), grid);
         Map<String, Prober> probers = new LinkedHashMap<>();
         Map<String, Prober.Findings> findings = new LinkedHashMap<>();

@@ -11,7 +11,7 @@ import org.dronewatch.fusion.Confirmation;
 import org.dronewatch.fusion.FalseAlertRate;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Observation;
-import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
 
 /**
  * The result of one run of a scene.
@@ -102,8 +102,11 @@ public record RunResult(
             throw new IllegalArgumentException(
                     isOff
                             ? "sensor '" + name + "' is switched off"
-                            : PlainText.unknown(
-                                    "sensor", name, settings.enabledSensors().keySet()));
+                            : Spelling.unknown(
+                                    "sensor",
+                                    name,
+                                    "the scene",
+                                    settings.enabledSensors().keySet()));
         }
     }
 }

@@ -3,7 +3,7 @@ package org.dronewatch.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.dronewatch.setting.PlainText;
+import org.dronewatch.setting.Spelling;
 
 /**
  * The results of all runs of a scene: asserted in a test, they guard against unnoticed changes in a site's detection
@@ -78,9 +78,10 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         return runs.stream()
                 .filter(run -> run.run() == 0)
                 .findFirst()
-                .map(run -> PlainText.unknown(
+                .map(run -> Spelling.unknown(
                         "drone",
                         drone,
+                        "the run",
                         run.alerts().stream().map(AlertResult::drone).toList()))
                 .orElseGet(() -> noRun(0));
     }
@@ -91,17 +92,19 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         }
         List<String> sensors = inRun.stream().map(PairResult::sensor).distinct().toList();
         return sensors.contains(sensor)
-                ? PlainText.unknown(
+                ? Spelling.unknown(
                         "drone",
                         drone,
+                        "the run",
                         inRun.stream().map(PairResult::drone).distinct().toList())
-                : PlainText.unknown("sensor", sensor, sensors);
+                : Spelling.unknown("sensor", sensor, "the run", sensors);
     }
 
     private String noRun(int run) {
-        return PlainText.unknown(
+        return Spelling.unknown(
                 "run",
                 Integer.toString(run),
+                "the result",
                 runs.stream().map(one -> Integer.toString(one.run())).toList());
     }
 

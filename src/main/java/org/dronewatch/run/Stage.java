@@ -42,6 +42,7 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sensor.RaySensor;
 import org.dronewatch.sensor.SensorSettings;
+import org.dronewatch.setting.Spelling;
 import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
@@ -244,10 +245,8 @@ public final class Stage {
     public FlightPath flight(String drone) {
         FlightPath path = flights().get(drone);
         if (path == null) {
-            throw new IllegalArgumentException("no drone '" + drone + "'; the scene has "
-                    + (airborne.isEmpty()
-                            ? "no drones"
-                            : String.join(", ", flights().keySet())));
+            throw new IllegalArgumentException(
+                    Spelling.unknown("drone", drone, "the scene", flights().keySet()));
         }
         return path;
     }

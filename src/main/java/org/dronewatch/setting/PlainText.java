@@ -1,9 +1,7 @@
 package org.dronewatch.setting;
 
-import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
 
 /**
  * Makes text from files and users safe for messages. The result cannot control a terminal or reorder the line: control
@@ -18,8 +16,6 @@ public final class PlainText {
     private static final int LONGEST_LINE = 600;
 
     private static final String GAP = "...";
-
-    private static final int MOST_NAMES = 20;
 
     private PlainText() {}
 
@@ -57,19 +53,6 @@ public final class PlainText {
         return last < 1
                 ? String.join("", words)
                 : String.join(", ", words.subList(0, last)) + " and " + words.get(last);
-    }
-
-    /**
-     * A refusal of a name, with the names that exist: {@code no sensor 'radr'; there are: radar, roof}.
-     *
-     * @param what what it should be the name of
-     * @param known the names that exist; the first {@value #MOST_NAMES} are listed
-     */
-    public static String unknown(String what, String name, Collection<String> known) {
-        String list = known.stream().limit(MOST_NAMES).map(PlainText::value).collect(Collectors.joining(", "));
-        return "no " + what + " '" + value(name) + "'; there "
-                + (known.isEmpty() ? "is none" : known.size() == 1 ? "is only " + list : "are: " + list)
-                + (known.size() > MOST_NAMES ? ", " + GAP : "");
     }
 
     /** Whether a character could control a terminal, break a line or change the direction of the text. */

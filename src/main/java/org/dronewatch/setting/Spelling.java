@@ -5,12 +5,16 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Suggests names for misspelt ones. */
 public final class Spelling {
     private static final double LEFT_OVER = 0.2;
 
     private static final int SUGGESTIONS = 3;
+
+    /** Maximum number of names in a message that lists them all. */
+    private static final int LISTED = 20;
 
     /** Maximum number of characters of the typed text that are compared; every name is shorter. */
     private static final int LONGEST = 200;
@@ -55,6 +59,20 @@ public final class Spelling {
             return "there are none to choose from";
         }
         return (nearest.size() == 1 ? "closest match: " : "closest matches: ") + String.join(", ", nearest);
+    }
+
+    /**
+     * A message about an unknown name: {@code no sensor 'radr'; the scene has radar, roof}.
+     *
+     * @param what what has such a name, in the singular
+     * @param owner what has the names that exist
+     * @param names the names that exist; the first {@value #LISTED} are listed
+     */
+    public static String unknown(String what, String typed, String owner, Collection<String> names) {
+        String list = names.stream().limit(LISTED).map(PlainText::value).collect(Collectors.joining(", "));
+        return "no " + what + " '" + PlainText.value(typed) + "'; " + owner + " has "
+                + (names.isEmpty() ? "no " + what + "s" : list)
+                + (names.size() > LISTED ? ", ..." : "");
     }
 
     /**

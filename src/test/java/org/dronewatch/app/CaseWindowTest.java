@@ -1,25 +1,21 @@
 package org.dronewatch.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.dronewatch.viewer.EventThread.onEventThread;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.Rectangle;
 import java.awt.Robot;
-import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
-import javax.swing.SwingUtilities;
 import org.dronewatch.campaign.CampaignSite;
+import org.dronewatch.viewer.ShownWindow;
 import org.dronewatch.viewer.Viewer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -29,20 +25,6 @@ import org.junit.jupiter.api.io.TempDir;
 class CaseWindowTest {
     @TempDir
     private Path directory;
-
-    private static <T> T onEventThread(Callable<T> work) throws Exception {
-        FutureTask<T> task = new FutureTask<>(work);
-        SwingUtilities.invokeAndWait(task);
-        return task.get();
-    }
-
-    private static Optional<JFrame> frame() {
-        return Stream.of(java.awt.Window.getWindows())
-                .filter(window -> window.isShowing())
-                .filter(JFrame.class::isInstance)
-                .map(JFrame.class::cast)
-                .findFirst();
-    }
 
     @Test
     @Timeout(value = 2, unit = TimeUnit.MINUTES)
@@ -61,18 +43,13 @@ class CaseWindowTest {
                 "--view",
                 "--variant=far"));
         command.start();
-        while (onEventThread(() -> frame().isEmpty())) {
-            Thread.sleep(50);
-        }
-        // The run is short; its picture follows.
+        ShownWindow.awaitFinished();
+        // Its picture follows.
         Thread.sleep(3000);
-        JFrame window = frame().orElseThrow();
+        JFrame window = onEventThread(() -> ShownWindow.frame().orElseThrow());
         String title = onEventThread(window::getTitle);
         keep(window);
-        onEventThread(() -> {
-            window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING));
-            return null;
-        });
+        ShownWindow.close();
         command.join();
 
         assertThat(title).isEqualTo("site, case 7 (far) - dronewatch");

@@ -45,6 +45,26 @@ class DocScenesTest {
     private static final Set<String> OF_A_SCENE =
             Set.of("name", "summary", "world", "drones", "sensors", "alert", "run", "prices");
 
+    private static final String RADAR = "sensors:\n  radar:\n    kind: radar\n    position: [0, 0, 150]\n"
+            + "    budget: {kind: data-sheet, range: 500 m, crossSection: 0.05}\n";
+
+    /** Where a part of a scene belongs; each level of these is indented by two. */
+    private static final Map<String, String> AROUND = Map.of(
+            "surfaces", "world:\n  models: [yard.obj]\n",
+            "flight", "drones:\n  intruder:\n    model: packaged:quadrotor.obj\n",
+            "propagation", "sensors:\n  ear:\n    kind: acoustic\n    position: [0, 0, 150]\n",
+            "beam", RADAR,
+            "falseAlarms", "sensors:\n  radio:\n    use: droneshield-rfone\n    position: [0, 0, 150]\n");
+
+    /** What a page sweeps; its sensors may be followed by those of the page. */
+    private static final String SWEPT = "drones:\n  visitor:\n    model: packaged:quadrotor.obj\n"
+            + "    flight: {kind: inbound, target: [0, 0, 145], bearing: 20 deg, distance: 200 m}\n"
+            + "sensors:\n  tower: {use: spotterrf-c550, position: [0, 0, 144]}\n";
+
+    /** A yard with the materials of the guide. */
+    private static final String YARD = "v 0 0 0\nv 9 0 0\nv 9 0 -9\nv 0 0 -9\n"
+            + "usemtl facade\nf 1 2 3\nusemtl yard\nf 1 3 4\nusemtl lawn\nf 1 2 4\n";
+
     @TempDir
     private Path directory;
 
@@ -102,26 +122,6 @@ class DocScenesTest {
         return examples.stream();
     }
 
-    private static final String RADAR = "sensors:\n  radar:\n    kind: radar\n    position: [0, 0, 150]\n"
-            + "    budget: {kind: data-sheet, range: 500 m, crossSection: 0.05}\n";
-
-    /** Where a part of a scene belongs; each level of these is indented by two. */
-    private static final Map<String, String> AROUND = Map.of(
-            "surfaces", "world:\n  models: [yard.obj]\n",
-            "flight", "drones:\n  intruder:\n    model: packaged:quadrotor.obj\n",
-            "propagation", "sensors:\n  ear:\n    kind: acoustic\n    position: [0, 0, 150]\n",
-            "beam", RADAR,
-            "falseAlarms", "sensors:\n  radio:\n    use: droneshield-rfone\n    position: [0, 0, 150]\n");
-
-    private static final String SWEPT = "drones:\n  visitor:\n    model: packaged:quadrotor.obj\n"
-            + "    flight: {kind: inbound, target: [0, 0, 145], bearing: 20 deg, distance: 200 m}\n"
-            + "sensors:\n  tower: {use: spotterrf-c550, position: [0, 0, 144]}\n"
-            + "  gate: {kind: camera, position: [0, 45, 133], enabled: false}\n";
-
-    /** A yard with the materials of the guide. */
-    private static final String YARD = "v 0 0 0\nv 9 0 0\nv 9 0 -9\nv 0 0 -9\n"
-            + "usemtl facade\nf 1 2 3\nusemtl yard\nf 1 3 4\nusemtl lawn\nf 1 2 4\n";
-
     @ParameterizedTest
     @MethodSource("parts")
     void aPartFitsWhereItBelongs(Example part) throws IOException {
@@ -141,9 +141,8 @@ class DocScenesTest {
     }
 
     private static String whole(Example part) {
-        int sweep = part.text().indexOf("sweep:");
-        if (sweep >= 0) {
-            return SWEPT + part.text().substring(sweep);
+        if (part.text().contains("sweep:")) {
+            return SWEPT + part.text().replaceFirst("^sensors:\n", "");
         }
         String around = AROUND.get(part.begin());
         assertThat(around).as("where it belongs: %s", part.text()).isNotNull();

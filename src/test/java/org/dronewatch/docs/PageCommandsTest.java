@@ -3,8 +3,6 @@ package org.dronewatch.docs;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.awt.Window;
-import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -18,9 +16,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import javax.swing.JFrame;
-import javax.swing.SwingUtilities;
 import org.dronewatch.app.Main;
+import org.dronewatch.viewer.ShownWindow;
 import org.dronewatch.viewer.Viewer;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Timeout;
@@ -94,8 +91,6 @@ class PageCommandsTest {
     @Timeout(value = 20, unit = TimeUnit.MINUTES)
     void itRuns(PageCommand command) throws Exception {
         List<String> words = here(command.words());
-        // A run whose window is closed at once has been interrupted, which is an error.
-        assumeTrue(!words.get(0).equals("run") || !words.contains("--view"), "its window must stay open");
         boolean hasWindow = words.get(0).equals("view") || words.contains("--view") && !isRendering(words);
         assumeTrue(!hasWindow || Viewer.obstacle().isEmpty(), "needs a display");
         long start = System.nanoTime();
@@ -104,7 +99,7 @@ class PageCommandsTest {
         CompletableFuture<Integer> code =
                 CompletableFuture.supplyAsync(() -> Main.execute(writer, writer, words.toArray(String[]::new)));
         if (hasWindow) {
-            close(code);
+            close(words);
         }
         assertThat(code.get()).as("%s: %s", command, said).isZero();
         System.out.printf(Locale.ROOT, "PageCommandsTest: %.1f s: %s%n", (System.nanoTime() - start) * 1e-9, command);
@@ -148,17 +143,13 @@ class PageCommandsTest {
         }
     }
 
-    /** Closes the command's window as soon as it has one, as its user does. */
-    private static void close(CompletableFuture<Integer> code) throws Exception {
-        boolean[] isClosed = {false};
-        while (!isClosed[0] && !code.isDone()) {
-            Thread.sleep(200);
-            SwingUtilities.invokeAndWait(() -> Stream.of(Window.getWindows())
-                    .filter(window -> window instanceof JFrame && window.isShowing())
-                    .forEach(window -> {
-                        window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING));
-                        isClosed[0] = true;
-                    }));
+    /** Closes the window as soon as there is one; that of {@code run} after the run, which would be interrupted. */
+    private static void close(List<String> words) throws Exception {
+        if (words.get(0).equals("run")) {
+            ShownWindow.awaitFinished();
+        } else {
+            ShownWindow.awaitShown();
         }
+        ShownWindow.close();
     }
 }

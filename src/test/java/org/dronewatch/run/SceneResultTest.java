@@ -24,15 +24,14 @@ class SceneResultTest {
     @Test
     void aMisspeltNameIsRefusedWithTheNamesThatThereAre() {
         RunResult run = result.runs().get(0);
-        String sensor = "no sensor 'radr'; there is only radar";
 
-        assertRefused(() -> run.firstDetectionRange("radr"), sensor);
-        assertRefused(() -> run.firstDetection("radr"), sensor);
-        assertRefused(() -> result.firstDetectionRange("radr", "quadrotor"), sensor);
+        assertRefused(() -> run.firstDetectionRange("radr"), "no sensor 'radr'; the scene has radar");
+        assertRefused(() -> run.firstDetection("radr"), "no sensor 'radr'; the scene has radar");
+        assertRefused(() -> result.firstDetectionRange("radr", "quadrotor"), "no sensor 'radr'; the run has radar");
         assertRefused(
-                () -> result.firstDetectionRange("radar", "quadrotr"), "no drone 'quadrotr'; there is only quadrotor");
-        assertRefused(() -> result.alert("quadrotr"), "no drone 'quadrotr'; there is only quadrotor");
-        assertRefused(() -> result.firstDetectionRange(3, "radar", "quadrotor"), "no run '3'; there is only 0");
+                () -> result.firstDetectionRange("radar", "quadrotr"), "no drone 'quadrotr'; the run has quadrotor");
+        assertRefused(() -> result.alert("quadrotr"), "no drone 'quadrotr'; the run has quadrotor");
+        assertRefused(() -> result.firstDetectionRange(3, "radar", "quadrotor"), "no run '3'; the result has 0");
     }
 
     /** One run of a sweep has its number in the sweep. */
@@ -41,8 +40,8 @@ class SceneResultTest {
         SceneResult third =
                 new SceneRunner(new CameraRange()).only(2).until(1.0).run();
 
-        assertRefused(() -> third.alert("quadrotor"), "no run '0'; there is only 2");
-        assertRefused(() -> third.firstDetectionRange("camera", "quadrotor"), "no run '0'; there is only 2");
+        assertRefused(() -> third.alert("quadrotor"), "no run '0'; the result has 2");
+        assertRefused(() -> third.firstDetectionRange("camera", "quadrotor"), "no run '0'; the result has 2");
     }
 
     @Test
@@ -52,7 +51,7 @@ class SceneResultTest {
                 runner.set("sensors.radar.enabled", "false").until(1.0).run();
 
         assertRefused(() -> off.runs().get(0).firstDetectionRange("radar"), "sensor 'radar' is switched off");
-        assertRefused(() -> off.firstDetectionRange("radar", "quadrotor"), "no sensor 'radar'; there is none");
+        assertRefused(() -> off.firstDetectionRange("radar", "quadrotor"), "no sensor 'radar'; the run has no sensors");
     }
 
     private static void assertRefused(ThrowingCallable question, String reason) {

@@ -2,25 +2,24 @@ package org.dronewatch.viewer;
 
 import static org.dronewatch.viewer.EventThread.await;
 import static org.dronewatch.viewer.EventThread.onEventThread;
+import static org.dronewatch.viewer.ShownWindow.find;
+import static org.dronewatch.viewer.ShownWindow.frame;
+import static org.dronewatch.viewer.ShownWindow.pane;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.event.MouseEvent;
-import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
-import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JTable;
@@ -72,36 +71,9 @@ public final class UsedWindow {
         print(second, "other ", "camera", time);
         keep(pictures + "-swapped");
 
-        onEventThread(() -> {
-            JFrame frame = frame().orElseThrow();
-            frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
-            return null;
-        });
+        ShownWindow.close();
         command.join();
         System.out.println("exit " + code[0]);
-    }
-
-    private static Optional<JFrame> frame() {
-        return Stream.of(java.awt.Window.getWindows())
-                .filter(Component::isShowing)
-                .filter(JFrame.class::isInstance)
-                .map(JFrame.class::cast)
-                .findFirst();
-    }
-
-    private static <T> Optional<T> find(Component part, Class<T> type) {
-        if (type.isInstance(part)) {
-            return Optional.of(type.cast(part));
-        }
-        return part instanceof Container inside
-                ? Stream.of(inside.getComponents())
-                        .flatMap(one -> find(one, type).stream())
-                        .findFirst()
-                : Optional.empty();
-    }
-
-    private static Optional<ViewerPane> pane() {
-        return frame().flatMap(frame -> find(frame, ViewerPane.class));
     }
 
     /** The pane that has taken the place of another, once its run is over and all of a time is drawn. */

@@ -18,6 +18,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.setting.Spelling;
 
 /**
  * The detection field of a site for one drone: in cells at several heights and on several courses, the probability that
@@ -83,8 +84,8 @@ public final class DetectionField {
         return stage.dronesAt(0.0).stream()
                 .filter(one -> one.id().equals(id))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no drone '" + id + "'; the scene has "
-                        + String.join(", ", stage.flights().keySet())));
+                .orElseThrow(() -> new IllegalArgumentException(Spelling.unknown(
+                        "drone", id, "the scene", stage.flights().keySet())));
     }
 
     /**

@@ -21,6 +21,7 @@ import org.dronewatch.analysis.layer.SensorLayer;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Cause;
+import org.dronewatch.setting.Spelling;
 
 /**
  * The sensors of a field, in the order of the scene, with their assessments in all cells, and the courses that count.
@@ -129,7 +130,7 @@ final class FieldSensors {
     FieldSensors without(String sensor) {
         int index = names.indexOf(sensor);
         if (index < 0) {
-            throw new IllegalArgumentException("no sensor '" + sensor + "'; the field has " + String.join(", ", names));
+            throw new IllegalArgumentException(Spelling.unknown("sensor", sensor, "the field", names));
         }
         int[] kept = IntStream.range(0, courses.size())
                 .filter(course ->

@@ -11,6 +11,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;
+import org.dronewatch.setting.Spelling;
 
 /** A route as a scene that can be run: the drone flies it alone, and the run ends when it arrives. */
 public final class RouteScene {
@@ -68,8 +69,8 @@ public final class RouteScene {
     public static SceneSettings with(SceneSettings scene, String drone, Map<String, RouteFlight> flights) {
         DroneSettings flown = scene.individualDrones().get(drone);
         if (flown == null) {
-            throw new IllegalArgumentException("no drone '" + drone + "'; the scene has "
-                    + String.join(", ", scene.individualDrones().keySet()));
+            throw new IllegalArgumentException(Spelling.unknown(
+                    "drone", drone, "the scene", scene.individualDrones().keySet()));
         }
         Map<String, DroneSettings> drones = new LinkedHashMap<>();
         flights.forEach((name, flight) -> drones.put(name, flown.withFlight(flight)));
