@@ -84,7 +84,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     /**
      * Runs a command like {@link #main(String[])}, in a process that runs the cases of campaigns on other machines.
      *
-     * @param cluster runs the cases of {@code campaign}; it is closed
+     * @param cluster runs the cases of {@code campaign}; it is closed at the end
      */
     public static void main(CampaignCluster cluster, String... arguments) {
         if (Arrays.stream(arguments).noneMatch(WINDOWED::contains) && System.getProperty(HEADLESS) == null) {

@@ -6,8 +6,8 @@ import java.util.List;
 /**
  * Curves of a cost as a function of one quantity.
  *
- * @param name short, for the names of files
- * @param title what is shown
+ * @param name short name, for file names
+ * @param title title of the diagram
  * @param xLabel the quantity, with its unit
  * @param yLabel the cost, with its unit
  * @param lines the lines

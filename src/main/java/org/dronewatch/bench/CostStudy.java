@@ -42,7 +42,7 @@ public final class CostStudy {
      * A study.
      *
      * @param droneMesh the drone's model in its own frame
-     * @param largest triangles of the largest terrain
+     * @param largest number of triangles of the largest terrain
      * @param progress receives the name of the next measurement
      */
     public CostStudy(TriangleMesh droneMesh, int largest, Consumer<String> progress) {

@@ -132,12 +132,12 @@ public final class KernelBench {
         return buildSeconds;
     }
 
-    /** Distances of the last set, in the order of its rays; infinity for none. */
+    /** Distances of the hits of the set measured most recently, in the order of its rays; infinity for none. */
     public float[] distances() {
         return distances.clone();
     }
 
-    /** Triangles of the last set by their number in the file; -1 for none. */
+    /** Triangles hit by the set measured most recently, by their number in the file; -1 for none. */
     public int[] sourceTriangles() {
         return Arrays.stream(triangles)
                 .map(triangle -> triangle < 0 ? -1 : tree().mesh().sourceNumber(triangle))

@@ -7,9 +7,9 @@ package org.dronewatch.bench;
  * @param traversal method by which they were traced
  * @param rays number of rays
  * @param hits number of rays that hit
- * @param median millions of rays per second, median of the passes
- * @param slowest the slowest pass
- * @param fastest the fastest pass
+ * @param median median speed of the passes, millions of rays per second
+ * @param slowest speed of the slowest pass, millions of rays per second
+ * @param fastest speed of the fastest pass, millions of rays per second
  */
 public record TracingSpeed(
         String set, String traversal, int rays, int hits, double median, double slowest, double fastest) {}

@@ -48,9 +48,9 @@ public final class SegmentFan {
     /**
      * Determines which segments are blocked.
      *
-     * @param originX of the origin of all segments, m
-     * @param originY of the origin, m
-     * @param originZ of the origin, m
+     * @param originX x of the common origin, m
+     * @param originY y of the common origin, m
+     * @param originZ z of the common origin, m
      * @param vectors of the segments from the origin to their ends: x, y and z of each, m
      * @param count number of segments
      * @param skipped triangles within this distance of either end of a segment do not count, m; 0 or more, and more

@@ -26,9 +26,9 @@ import org.dronewatch.setting.input.FileHash;
 import org.dronewatch.world.SiteMemory;
 
 /**
- * The cases of a campaign, and its variants with their models. Case k depends only on the campaign's seed, on k and on
- * the paths of the settings that vary, not on the number of cases, on the variants, or on what else varies. Immutable
- * and thread-safe.
+ * The cases of a campaign, and its variants with their models. In case k, the seed depends only on the
+ * campaign's seed and on k, and the value drawn for a setting also on that setting's path and distribution; neither
+ * depends on the number of cases, on the variants, or on what else varies. Immutable and thread-safe.
  */
 public final class CampaignPlan implements Cases {
     /** Purpose of the draws of settings that vary; the path takes the place of the sensor's name. */
@@ -274,7 +274,7 @@ public final class CampaignPlan implements Cases {
         return variants.get(variant).runner().inputs();
     }
 
-    /** The parts of their sites that all cases and variants share. */
+    /** The cache of results computed from the sites without drones, which all cases and variants share. */
     public SiteMemory memory() {
         return memory;
     }

@@ -40,8 +40,8 @@ public final class CampaignReader {
     }
 
     /**
-     * A problem that comes up when the cases are prepared, preceded by the location, in the file, of the setting with
-     * which its message begins.
+     * A problem that comes up when the cases are prepared, with the location in the file added to its message: that of
+     * the setting with which the message begins.
      *
      * @param file the file that was read
      */

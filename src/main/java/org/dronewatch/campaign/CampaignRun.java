@@ -12,7 +12,7 @@ import org.dronewatch.campaign.outcome.Shard;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Runs the cases of a campaign in chunks of neighbouring cases. Each chunk is handed over as a whole, so that an
+ * Runs the cases of a campaign in chunks of consecutive cases. Each chunk is handed over as a whole, so that an
  * interrupted campaign can be resumed: chunks that were kept are not run again. If the outcomes decide how many cases
  * there are, they are considered in the order of the cases; some cases of the last chunk may then be superfluous.
  */

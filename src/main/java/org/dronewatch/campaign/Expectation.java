@@ -40,7 +40,7 @@ public record Expectation(
         return variant.orElseGet(() -> plan.variants().get(0));
     }
 
-    /** The fraction with the outcome, of the cases for which it is known; empty if it is known for none. */
+    /** Of the cases in which the outcome is known, the proportion that has it; empty if it is known for none. */
     public Optional<Proportion> proportion(CampaignPlan plan, CampaignSummary summary) {
         return summary.variants().get(variantIn(plan)).proportion(of);
     }

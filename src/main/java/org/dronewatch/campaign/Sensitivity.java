@@ -76,7 +76,7 @@ public final class Sensitivity {
         return failed;
     }
 
-    /** Whether there are results from which influences can be estimated: two groups in which no case failed. */
+    /** Whether influences can be estimated: there are at least two groups in which no case failed. */
     public boolean isEstimable() {
         return whole().size() > 1;
     }

@@ -45,7 +45,7 @@ public final class Stopping {
         return until.map(one -> one.rule().stops(proportion())).orElse(false);
     }
 
-    /** Of the cases so far in which the outcome of the rule is known, the proportion that has it. */
+    /** Of the cases so far in which the outcome that the rule considers is known, the proportion that has it. */
     public Proportion proportion() {
         return new Proportion(count, known);
     }

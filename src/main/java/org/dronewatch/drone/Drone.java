@@ -217,8 +217,8 @@ public final class Drone {
     }
 
     /**
-     * An upper bound on the distance of the drone's mesh from its origin, m: the same at all attitudes, and the exact
-     * distance where its model is not stretched unevenly.
+     * An upper bound on the distance of the drone's mesh from its origin, m: the same at all attitudes, and exact
+     * (except for rounding) unless its model is scaled non-uniformly.
      */
     public double radius() {
         return mesh.radius() * stretch(modelMatrix);

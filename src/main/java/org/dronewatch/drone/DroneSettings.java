@@ -46,7 +46,7 @@ import org.dronewatch.world.World;
  *     dB; 50 to 55 in the thesis on which this project is based
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
  *     quadrotor
- * @param glideReduction reduction of its level with the motors off, when only airflow is heard, 0 to 100 dB
+ * @param glideReduction reduction of its sound level with the motors off, when only airflow is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; if {@code spectrum} is set,
  *     any name that is not in the table; {@code soundPowerLevel} and {@code directivity} are set separately
  * @param spectrum a spectrum to use instead of one from the table: A-weighted levels of the octave bands relative to
@@ -56,8 +56,8 @@ import org.dronewatch.world.World;
  *     are none
  * @param emission how its sound depends on these settings and on its flight: steady, or a kind that another jar
  *     provides
- * @param performance limits of its flight, as far as they are known; if it is omitted, limits typical of its airframe
- *     apply, and flights are not checked against them
+ * @param performance known limits of its flight; if it is omitted, limits typical of its airframe apply, and flights
+ *     are not checked against them
  * @param swarm number and formation of a swarm of such drones; omit it for a single drone
  * @param label its role, purpose and properties, for readers of the results; no sensor uses it
  */

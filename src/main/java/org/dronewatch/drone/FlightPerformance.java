@@ -8,9 +8,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A drone's flight performance, as far as it is known; limits that are not stated are
- * {@linkplain FlightLimits#typical typical} of its type of airframe. A flight that exceeds a limit causes a warning,
- * but is flown as described; missions from files climb and descend at these rates unless they state others.
+ * The known limits of a drone's flight; limits that are not stated are {@linkplain FlightLimits#typical typical} of its
+ * type of airframe. A flight that exceeds a limit causes a warning, but is flown as described; missions from files
+ * climb and descend at these rates unless they state others.
  *
  * @param climb maximum rate of climb under power, 0.01 to 200 m/s; typically 3 m/s for multirotors, 5 m/s for
  *     fixed-wing drones and hybrids
@@ -20,8 +20,8 @@ import org.dronewatch.setting.SettingsForm;
  *     (multirotors) or 50 degrees (others) at cruise speed, {@code g tan(bank) / speed}
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
  * @param leastSpeed minimum speed under power of a drone that cannot hover, above 0 and at most 400 m/s; typically two
- *     thirds of the cruise speed. It is used only in the search for routes, where the cruise speed applies if it is
- *     lower
+ *     thirds of the cruise speed. It is used only in the search for routes, and there replaced by the cruise speed if
+ *     that is lower
  * @param ceiling maximum height above the surface below it, above 0 and at most 20,000 m; typically 500 m
  * @param endurance longest flight under power, above 0 and at most 604,800 s; typically 30 minutes for multirotors, an
  *     hour for fixed-wing drones and hybrids

@@ -18,7 +18,8 @@ import org.dronewatch.setting.SettingsForm;
  *     from the nose as seen from above; 1 to 360 of them, a single one if it is the same for all aspects
  * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,
  *     above 0 and at most 20 dB; omit it to use {@code fluctuation}
- * @param droneClass a class of drones, which sets {@code crossSection} and {@code spread}; omit it to state your own
+ * @param droneClass a class of drones, which sets {@code crossSection} and {@code spread}; omit it to state these
+ *     two yourself
  * @param rotorLevel level of its rotors' echo below that of its body, 0 to 100 dB: while its motors run, that part of
  *     the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for rotors without an echo
  */

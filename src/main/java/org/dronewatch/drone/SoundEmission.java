@@ -16,8 +16,8 @@ import org.dronewatch.sound.Tone;
 public interface SoundEmission {
 
     /**
-     * Whether the drone's settings alone state its sound, however it flies, except that the motors may be off. False
-     * unless overridden: the sound may depend on the position, the velocity, the attitude, and on settings of the
+     * Whether the drone's settings alone determine its sound, however it flies, except that the motors may be off.
+     * False unless overridden: the sound may depend on the position, the velocity, the attitude, and on settings of the
      * emission itself.
      */
     default boolean isStatedBySettings() {

@@ -25,7 +25,7 @@ public sealed interface AlertRule
         /**
          * The confirmations that justify an alert now; empty if there is no alert.
          *
-         * @param confirmed the last confirmation of an object by each sensor that has confirmed it
+         * @param confirmed the most recent confirmation of an object by each sensor that has confirmed it
          * @param time the present time, s
          */
         List<ConfirmedContact> carriers(List<ConfirmedContact> confirmed, double time);
@@ -109,11 +109,11 @@ public sealed interface AlertRule
 
     /**
      * An alert as soon as {@code 1 - (1-p1)(1-p2)...}, the probability that at least one of the sensors detects the
-     * drone in its last look, is high enough. This is a forecast for scoring ({@link ForecastLog}), not a rule that a
-     * system could follow: looks that detect nothing count with their probabilities, which only the simulation knows.
-     * It assumes that the sensors' misses are independent; if one hill or one bank of fog hides the drone from all of
-     * them, it is too optimistic. The probability of a sensor with a fixed threshold is 0 or 1, and that of a false
-     * alarm is 1.
+     * drone in its most recent look, is high enough. This is a forecast for scoring ({@link ForecastLog}), not a rule
+     * that a system could follow: looks that detect nothing count with their probabilities, which only the simulation
+     * knows. It assumes that the sensors' misses are independent; if one hill or one bank of fog hides the drone from
+     * all of them, it is too optimistic. The probability of a sensor with a fixed threshold is 0 or 1, and that of a
+     * false alarm is 1.
      *
      * @param probability the combined probability that raises the alert, above 0 and at most 1
      * @param within time for which a look remains valid, 0 to 3600 s

@@ -57,7 +57,7 @@ public record AlertSettings(
         return protect.isPresent() || !zones.isEmpty();
     }
 
-    /** These settings with one more protected area, or another of that name. */
+    /** These settings with a further protected area, which replaces any area of the same name. */
     public AlertSettings withZone(String name, ProtectedArea area) {
         Map<String, ProtectedArea> more = new LinkedHashMap<>(zones);
         more.put(name, area);

@@ -26,7 +26,7 @@ public record Confirmation(
     }
 
     /**
-     * The probability that the last looks confirm a contact, if each detects it with the same probability,
+     * The probability that the most recent looks confirm a contact, if each detects it with the same probability,
      * independently of the others: the upper tail of the binomial distribution, {@code sum over k from hits to looks of
      * C(looks, k) p^k (1-p)^(looks-k)}. With 3 of 5 looks, 0.9 becomes 0.99144, and 0.001 becomes 9.985e-9.
      *

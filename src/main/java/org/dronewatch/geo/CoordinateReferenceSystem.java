@@ -118,7 +118,7 @@ public final class CoordinateReferenceSystem {
         return 1.0 / system.getProjection().getFromMetres();
     }
 
-    /** What PROJ4J calls it. */
+    /** The system as PROJ4J represents it. */
     org.locationtech.proj4j.CoordinateReferenceSystem system() {
         return system;
     }

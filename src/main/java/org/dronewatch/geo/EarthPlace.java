@@ -7,7 +7,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place by latitude and longitude (WGS 84), which scene files may give instead of a position:
+ * A place given by latitude and longitude (WGS 84); scene files can state it instead of a position:
  * {@code {latitude: 43.7314 deg, longitude: 7.4202 deg, above: 10 m}}. Without {@code above} and {@code height}, it
  * lies on the highest surface there.
  *

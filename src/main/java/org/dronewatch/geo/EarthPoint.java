@@ -5,8 +5,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A point in plan view by latitude and longitude (WGS 84), which scene files may give instead of a pair of east and
- * north coordinates.
+ * A point in plan view, given by latitude and longitude (WGS 84); scene files can state it instead of a pair of east
+ * and north coordinates.
  *
  * @param latitude latitude, north of the equator, rad
  * @param longitude longitude, east of Greenwich, rad

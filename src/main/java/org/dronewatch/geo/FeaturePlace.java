@@ -8,7 +8,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place by its name on a map, which scene files may give instead of a position:
+ * A place given by its name in a map file; scene files can state it instead of a position:
  * {@code {feature: north gate, above: 3 m}}. Without {@code above} and {@code height}, it has the height in the file,
  * or lies on the highest surface there.
  *

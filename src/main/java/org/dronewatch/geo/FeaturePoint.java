@@ -6,7 +6,7 @@ import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.Limits;
 
 /**
- * A point in plan view by its name on a map, which scene files may give instead of a pair of east and north
+ * A point in plan view, given by its name in a map file; scene files can state it instead of a pair of east and north
  * coordinates.
  *
  * @param feature name of a point in a GeoJSON or KML file

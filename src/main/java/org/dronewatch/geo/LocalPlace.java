@@ -6,7 +6,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A place in the world frame by its height above the surface, which scene files may give instead of a position: {@code
+ * A place in the world frame with its height above the surface; scene files can state it instead of a position: {@code
  * {east: 120 m, north: -40 m, above: 10 m}}.
  *
  * @param east distance east of the origin, -100 to 100 km, m

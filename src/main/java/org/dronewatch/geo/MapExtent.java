@@ -114,7 +114,7 @@ public record MapExtent(double west, double east, double south, double north) {
      * @param map from which the points come
      * @param origin of the site
      * @param near distance from the site that counts as close, m
-     * @param whose latitude and longitude may be swapped, in words
+     * @param whose what the latitude and longitude that may be swapped belong to, such as {@code of the origin}
      */
     public String suspicion(MapTransform map, Origin origin, double near, String whose) {
         if (isEmpty()) {

@@ -68,12 +68,14 @@ public final class CutTriangle {
         return true;
     }
 
-    /** One end of the segment that was found last, relative to the plane's origin, m; valid until the next cut. */
+    /**
+     * One end of the segment found by the most recent cut, relative to the plane's origin, m; valid until the next cut.
+     */
     public double[] first() {
         return first;
     }
 
-    /** The other end of the segment that was found last, in the same form as {@link #first()}. */
+    /** The other end of the segment found by the most recent cut, in the same form as {@link #first()}. */
     public double[] second() {
         return second;
     }
@@ -95,8 +97,8 @@ public final class CutTriangle {
     }
 
     /**
-     * Whether point p comes after point q in an order by which a side is followed in the same direction whichever
-     * triangle it belongs to.
+     * Whether point p comes after point q in the lexicographic order of their coordinates, by which a side is followed
+     * in the same direction in every triangle to which it belongs.
      *
      * @param p three coordinates
      * @param q three coordinates

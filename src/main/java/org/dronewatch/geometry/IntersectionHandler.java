@@ -18,7 +18,7 @@ public final class IntersectionHandler {
      * intersection" (1997). The determinant is compared with zero only: an absolute tolerance would miss small
      * triangles, and culling would miss those that face away.
      *
-     * @return the hit, empty where the ray misses, is parallel to the triangle, or meets it outside the ray's range
+     * @return the hit; empty if the ray misses, is parallel to the triangle, or meets it outside the ray's range
      */
     public static Optional<Hit> rayTriangle(Ray ray, Triangle triangle) {
         Vector3d edgeB = triangle.b().minus(triangle.a()).toVector3d();
@@ -93,7 +93,7 @@ public final class IntersectionHandler {
      * inside.
      *
      * @param radius radius in metres, above 0
-     * @return the ray parameter, empty where the ray misses the sphere or points away from it
+     * @return the ray parameter; empty if the ray misses the sphere or points away from it
      * @throws IllegalArgumentException when the radius is not above 0
      */
     public static OptionalDouble raySphere(Ray ray, Point3d center, double radius) {
@@ -120,7 +120,8 @@ public final class IntersectionHandler {
     }
 
     /**
-     * As {@link #raySphere(Ray, Point3d, double)}, for kernels: does not allocate.
+     * The distance along a ray at which it is first inside a sphere, as {@link #raySphere(Ray, Point3d, double)}, but
+     * without allocating; for kernels.
      *
      * @param dx x of the ray's direction, which must be of unit length
      * @param dy its y

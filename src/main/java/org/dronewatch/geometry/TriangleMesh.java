@@ -7,7 +7,7 @@ import java.util.List;
  * resolution is 0.06 mm at 1 km from the frame's origin and 8 mm at 100 km, so put the origin near the site. Immutable.
  */
 public final class TriangleMesh {
-    /** The largest absolute coordinate of a corner: its square must not overflow. */
+    /** The largest absolute value of a corner's coordinate, m: its square must not overflow. */
     public static final float MAX_COORDINATE = 1e30f;
 
     private final float[] vertices;

@@ -70,7 +70,7 @@ public final class EllipsoidQuery {
         search(a, b, sum);
     }
 
-    /** The number of triangles that the last query found. */
+    /** The number of triangles that the most recent query found. */
     public int count() {
         return count;
     }
@@ -179,7 +179,7 @@ public final class EllipsoidQuery {
         return isBeyond(x0, y0, z0, x1, y1, z1);
     }
 
-    /** Whether no point of a box is in the ellipsoid, as far as its distances from the foci show. */
+    /** Whether its distances from the foci show that no point of a box is in the ellipsoid. */
     private boolean isBeyond(double x0, double y0, double z0, double x1, double y1, double z1) {
         double dxa = outside(ax, x0, x1);
         double dya = outside(ay, y0, y1);

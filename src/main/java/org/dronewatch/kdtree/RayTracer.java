@@ -7,7 +7,7 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A ray tracer of a mesh. One per thread: it holds the ray and the hit of its last query. The methods that take
+ * A ray tracer of a mesh. One per thread: it holds the ray and the hit of its most recent query. The methods that take
  * primitives do not allocate.
  *
  * <p>Origins are in metres in the mesh's frame. A direction may have any length but zero; distances are ray parameters,
@@ -81,23 +81,23 @@ public abstract class RayTracer {
         return intersection.found();
     }
 
-    /** Ray parameter of the last closest hit. */
+    /** Ray parameter of the closest hit found by the most recent query. */
     public final double distance() {
         return intersection.distance();
     }
 
-    /** Triangle number of the last closest hit. */
+    /** Triangle number of the closest hit found by the most recent query. */
     public final int triangle() {
         return intersection.triangle();
     }
 
-    /** Weight of the triangle's second corner at the last closest hit. */
+    /** Weight of the triangle's second corner at the closest hit found by the most recent query. */
     public final double u() {
         findMissingBarycentrics();
         return intersection.u();
     }
 
-    /** Weight of the triangle's third corner at the last closest hit. */
+    /** Weight of the triangle's third corner at the closest hit found by the most recent query. */
     public final double v() {
         findMissingBarycentrics();
         return intersection.v();

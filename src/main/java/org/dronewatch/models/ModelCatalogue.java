@@ -12,7 +12,7 @@ public enum ModelCatalogue {
     HILL(() -> new HillTerrain().mesh()),
     /** The drone of the packaged scenes. */
     QUADROTOR(QuadrotorModel::mesh),
-    /** An aircraft with a wing and a motor. */
+    /** A fixed-wing aircraft with a propeller. */
     FIXED_WING(FixedWingModel::mesh),
     /** A glider with lift rotors. */
     HYBRID_GLIDER(HybridGliderModel::mesh),

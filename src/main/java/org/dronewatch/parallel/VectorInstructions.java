@@ -2,7 +2,7 @@ package org.dronewatch.parallel;
 
 /**
  * Checks whether the processor's vector instructions can be used: the Java virtual machine must be started with
- * {@code --add-modules jdk.incubator.vector}, and the processor must have vectors of 256 bits.
+ * {@code --add-modules jdk.incubator.vector}, and the processor must have vectors of at least 256 bits.
  */
 public final class VectorInstructions {
     private static final String MODULE = "jdk.incubator.vector";

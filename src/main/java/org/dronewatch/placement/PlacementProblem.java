@@ -174,8 +174,8 @@ public final class PlacementProblem {
     }
 
     /**
-     * The value that {@link CandidateLosses} leave without the chosen candidate whose loss is worst; the value of an
-     * empty layout if none is chosen.
+     * The value that remains after the loss of the chosen candidate whose loss is worst, according to
+     * {@link CandidateLosses}; the value of an empty layout if none is chosen.
      */
     public double valueAfterWorstLoss(List<Integer> chosen) {
         double worst = chosen.isEmpty() ? value(chosen) : Double.NaN;

@@ -5,11 +5,11 @@ import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
 /**
- * Decides when searches that share it end before they are complete: once they have taken some time together, or the
- * user asks them to stop. A search that has no layout by then may go on for a few seconds more. Thread-safe.
+ * Decides when searches that share it end before they are complete: once the time that they may take together is up, or
+ * the user asks them to stop. A search that has no layout by then may go on for a few seconds more. Thread-safe.
  */
 public final class SearchEnd {
-    /** How long a search without any layout may go on, s. */
+    /** How long a search without any layout may go on after it should have ended, s. */
     public static final double GRACE = 5.0;
 
     /**
@@ -39,7 +39,7 @@ public final class SearchEnd {
     /**
      * An end by another clock.
      *
-     * @param clock gives the time since any moment, ns
+     * @param clock gives the time since some fixed moment, ns
      */
     SearchEnd(double seconds, BooleanSupplier isStopped, LongSupplier clock) {
         if (!(seconds > 0.0)) {
@@ -55,7 +55,7 @@ public final class SearchEnd {
         return seconds;
     }
 
-    /** Begins a search: the time runs from the first of these calls. */
+    /** Begins a search: the time runs from the first call. */
     public void begin() {
         begun.compareAndSet(null, clock.getAsLong());
     }
@@ -70,7 +70,7 @@ public final class SearchEnd {
         return since(begun) > seconds;
     }
 
-    /** Whether searches are to end, for either reason, unless they have no layout yet. */
+    /** Whether searches that have a layout are to end, because the time is up or the user has asked them to stop. */
     public boolean isDue() {
         boolean isDue = isStopped() || isTimeOver();
         if (isDue && noticed.get() == null) {
@@ -79,7 +79,10 @@ public final class SearchEnd {
         return isDue;
     }
 
-    /** Whether searches are to end even without a layout: {@link #GRACE} after one of them has noticed the end. */
+    /**
+     * Whether searches are to end even without a layout: {@link #GRACE} seconds after one of them has noticed that it
+     * is to end.
+     */
     public boolean isGraceOver() {
         return isDue() && since(noticed) > GRACE;
     }

@@ -84,7 +84,7 @@ final class FollowedContact {
         return result;
     }
 
-    /** Where the new direction passes those from other places, as far as those are recent. */
+    /** Where the new direction passes the recent ones from other places. */
     private void cross(Bearing bearing, double time) {
         crossing = bearings.values().stream()
                 .filter(other -> other != bearing && bearing.isDirectionOnly() && other.isDirectionOnly())

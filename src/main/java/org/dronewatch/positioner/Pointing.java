@@ -6,9 +6,9 @@ import java.util.OptionalInt;
  * The pointing of a positioner at one time: direction, rates and field of view.
  *
  * @param direction of the sensor's axis
- * @param panRate pan rate on arriving there, clockwise, rad/s
- * @param tiltRate tilt rate on arriving there, upwards, rad/s
- * @param fov the sensor's field of view now, rad
+ * @param panRate mean pan rate since the previous pointing, clockwise, rad/s
+ * @param tiltRate mean tilt rate since the previous pointing, upwards, rad/s
+ * @param fov the sensor's field of view at that time, rad
  * @param contact number of the contact that it follows; empty while it searches
  */
 public record Pointing(Direction direction, double panRate, double tiltRate, double fov, OptionalInt contact) {

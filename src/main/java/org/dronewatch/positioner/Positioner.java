@@ -101,7 +101,7 @@ public final class Positioner {
         cues.add(new Cue(detected + settings.delay(), contact, sighting, detected));
     }
 
-    /** Records that the positioner's own sensor has seen a contact, at its last look. */
+    /** Records that the positioner's own sensor has seen a contact at its most recent look. */
     public void see(int contact, Sighting sighting, double seen) {
         follow(contact, sighting, seen, seen);
         if (track.filter(followed -> followed.contact() == contact).isPresent()) {

@@ -37,14 +37,14 @@ public record RangeSearch(
         }
     }
 
-    /** The range of the smallest drone that subtends an angle, larger by its error, rad; m. */
+    /** The range, m, at which the smallest drone subtends an angle enlarged by its error, rad. */
     double nearest(double angle, double error) {
         return minSize / (angle + error);
     }
 
     /**
-     * The range of the largest drone that subtends an angle, smaller by its error, rad; infinite where nothing is left,
-     * m.
+     * The range, m, at which the largest drone subtends an angle reduced by its error, rad; infinite if the error is
+     * not smaller than the angle.
      */
     double farthest(double angle, double error) {
         return angle > error ? maxSize / (angle - error) : Double.POSITIVE_INFINITY;

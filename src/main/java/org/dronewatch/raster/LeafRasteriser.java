@@ -2,7 +2,10 @@ package org.dronewatch.raster;
 
 import java.util.Arrays;
 
-/** Rasterises the triangles of leaves into a tile, each of them once, as far as it remembers. For use by one thread. */
+/**
+ * Rasterises the triangles of leaves into a tile, each of them only once unless it has been forgotten. For use by one
+ * thread.
+ */
 final class LeafRasteriser {
     /** How many triangles are remembered as rasterised, a power of two. */
     private static final int REMEMBERED = 1024;

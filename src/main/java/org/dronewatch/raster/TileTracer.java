@@ -157,24 +157,24 @@ public final class TileTracer {
         }
     }
 
-    /** Whether the ray of a pixel of the last tile, counted from the tile's corner, hits a triangle. */
+    /** Whether the ray of a pixel of the tile traced most recently, counted from the tile's corner, hits a triangle. */
     public boolean hits(int column, int row) {
         return pixels.hits(column, row);
     }
 
-    /** Ray parameter of the hit of a pixel of the last tile; infinity if there is none. */
+    /** Ray parameter of the hit of a pixel of the tile traced most recently; infinity if there is none. */
     public double parameter(int column, int row) {
         return pixels.parameter(column, row);
     }
 
-    /** The number of the triangle that a pixel of the last tile hits, if there is one. */
+    /** The number of the triangle that a pixel of the tile traced most recently hits, if there is one. */
     public int triangle(int column, int row) {
         return pixels.triangle(column, row);
     }
 
     /**
-     * Writes the distances of the hits of the last tile's pixels: ray parameters times the lengths of the pixels'
-     * directions, in metres in the frame of the grid. Infinity for none.
+     * Writes the distances of the hits of the pixels of the tile traced most recently: ray parameters times the lengths
+     * of the pixels' directions, in metres in the frame of the grid. Infinity for none.
      *
      * @param target array to be filled
      * @param first index of the tile's first pixel in it
@@ -185,7 +185,8 @@ public final class TileTracer {
     }
 
     /**
-     * As {@link #trace}, but pixel by pixel: faster if triangles are much smaller than pixels.
+     * Finds the nearest triangle for each pixel of a tile, as {@link #trace}, but pixel by pixel: faster if triangles
+     * are much smaller than pixels.
      *
      * @param firstColumn column of its left pixels
      * @param firstRow row of its top pixels

@@ -59,7 +59,7 @@ public final class CameraView {
         this.picture = new DronePicture(new CameraObject(picture));
     }
 
-    /** The names of the imaging sensors whose images can be drawn, in their order. */
+    /** The names of the imaging sensors whose images can be drawn, in the given order. */
     public static List<String> cameras(Map<String, SensorSettings<?>> sensors) {
         return sensors.keySet().stream()
                 .filter(id -> sensors.get(id).as(PictureSettings.class).isPresent())

@@ -4,7 +4,7 @@ import java.awt.FontMetrics;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The credits that the data of a site require, as lines of a picture. */
+/** The credits that the data of a site require, as lines of text in a picture. */
 public final class Credits {
     private Credits() {}
 

@@ -55,7 +55,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return flat(box, Math.PI, 0.5 * Math.PI, high);
     }
 
-    /** A horizontal view, with all of a box in the picture, from a given bearing. */
+    /** A horizontal view, with all of a box in the picture, from a given bearing, rad. */
     public static Orbit side(AABB box, double aspect, double bearing) {
         double across = Math.abs(Math.cos(bearing)) * (box.maxX() - box.minX())
                 + Math.abs(Math.sin(bearing)) * (box.maxY() - box.minY());
@@ -73,7 +73,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new Orbit(target, bearing + clockwise, steep, distance, fov);
     }
 
-    /** This orbit nearer to its target, or farther from it, by a factor. */
+    /** This orbit with its distance multiplied by a factor: nearer to its target if that is less than 1. */
     public Orbit zoomed(double factor) {
         return new Orbit(target, bearing, elevation, distance * factor, fov);
     }
@@ -104,7 +104,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return at(target.plus(new Position(x, y, 0.0)));
     }
 
-    /** This orbit rotated about its eye: the target moves around it. */
+    /** This orbit rotated about its eye, rad: the target moves around it. */
     public Orbit lookedAbout(double clockwise, double upwards) {
         Orbit next = turned(clockwise, -upwards);
         return next.at(target.plus(eye().minus(next.eye())));

@@ -92,12 +92,12 @@ public final class RecordedRays {
         return orders[piece];
     }
 
-    /** The largest order. */
+    /** The largest number of surfaces that a ray had met before any of these segments. */
     public int maxOrder() {
         return maxOrder;
     }
 
-    /** Colours for its levels. */
+    /** The colour scale for the levels of these segments. */
     public LevelScale scale() {
         return scale;
     }

@@ -113,8 +113,8 @@ public final class SitePicture {
     }
 
     /**
-     * The box that a picture of the site frames: the box of interest, with the fields of view as far as they are drawn,
-     * m.
+     * The box that a picture of the site frames: the box of interest, enlarged to include cameras' fields of view to
+     * the length to which they are drawn, and the protected zones, m.
      */
     public AABB frame() {
         AABB interest = interest();

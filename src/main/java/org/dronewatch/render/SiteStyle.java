@@ -51,7 +51,7 @@ public record SiteStyle(
         return SettingsForm.with(this, "flights", shown);
     }
 
-    /** This style with other rays of sound. */
+    /** This style with another filter for the rays of sound. */
     public SiteStyle withFilter(RayFilter other) {
         return SettingsForm.with(this, "filter", other);
     }

@@ -27,8 +27,8 @@ import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
- * What single cameras saw when they first detected a drone, as in the thesis, figure 7.1: distances in blues, and the
- * pixels that show a drone.
+ * What individual cameras saw when they first detected a drone, as in the thesis, figure 7.1: distances in blues, and
+ * the pixels that show a drone.
  */
 final class DepthPictures {
     /** Maximum number of cameras with a picture, whatever the scene has. */

@@ -14,7 +14,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * The key {@code false_alarms} of {@code result.json}: what the alert rule costs, run by run. Left out where nothing is
+ * The key {@code false_alarms} of {@code result.json}: what the alert rule costs, run by run. Left out if nothing is
  * known of false alarms, and none was raised.
  */
 final class FalseAlarmsKey {

@@ -10,8 +10,8 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The measured values of one sensor for one drone versus range, with their thresholds, for the runs in which they are
- * the same.
+ * The measured values of one sensor for one drone versus range, for the runs in which these values are the same, with
+ * the threshold of each run.
  */
 final class RangeCurve {
     /** Values are clipped at this multiple of the threshold, where detection is certain, to keep the plot readable. */
@@ -45,7 +45,7 @@ final class RangeCurve {
         values.add(Math.min(observation.value(), top()));
     }
 
-    /** Whether another run measured the same of the drone, whatever the thresholds. */
+    /** Whether the values measured in another run, for the same drone, are the same, whatever the thresholds. */
     boolean isLike(RangeCurve other) {
         return drone.equals(other.drone)
                 && unit.equals(other.unit)

@@ -17,8 +17,8 @@ import org.dronewatch.setting.Counted;
 
 /**
  * Recorded rays as lines of an OBJ file, in the frame of the packaged models (metres, y up, north is -z), so that they
- * can be viewed together with the model. A group holds the segments of one sensor, drone and order; those that end at
- * the sensor are in separate groups.
+ * can be viewed together with the model. A group holds the segments of one sensor, drone and reflection order; those
+ * that end at the sensor are in separate groups.
  */
 public final class RayPaths {
     /** A ray segment in the world's frame, and its level. */

@@ -16,8 +16,8 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 
 /**
- * The rays from a drone to each microphone that shows them, as in the thesis, figures 7.2 and 7.3: those of the first
- * detection, or of the start.
+ * The rays from a drone to each microphone whose settings ask for them, as in the thesis, figures 7.2 and 7.3: those of
+ * the first detection, or of the start.
  */
 final class RayPictures {
     /** Maximum number of sensors with a picture, whatever the scene has. */

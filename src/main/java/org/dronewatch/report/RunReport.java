@@ -109,7 +109,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Adds pictures of some cameras, with the drones in them labelled; to be called before a run. */
+    /** Adds the pictures that some cameras take, with the drones in them labelled; to be called before a run. */
     public void label(LabelPlan plan) {
         labels = Optional.of(new Labels(plan, directory::file));
     }

@@ -23,7 +23,7 @@ import org.dronewatch.run.SceneResult;
 final class SiteReport {
     static final String FILE = "report.html";
 
-    /** How the names of plots of single sensors begin. */
+    /** How the names of the plots of individual sensors begin. */
     static final String VALUES = "value-over-range-";
 
     private static final int WIDTH = 1000;

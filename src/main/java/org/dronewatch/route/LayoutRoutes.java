@@ -56,7 +56,7 @@ public final class LayoutRoutes {
      * The exposure to a sensor, whether it is in the layout or not, along the part of a route on which a detection
      * counts.
      *
-     * @param routes the routes to which it belongs
+     * @param routes the routes to which the given route belongs
      * @param sensor name of the sensor
      */
     public double exposure(SiteRoutes routes, WeakestRoute route, String sensor) {

@@ -16,7 +16,7 @@ import org.dronewatch.geometry.Position;
  */
 public record RoutePoint(
         double time, double distance, Position position, double above, int mode, double exposure, boolean isCorner) {
-    /** A point on the straight way to another one, in this mode. */
+    /** A point on the straight line to another one, in this mode. */
     RoutePoint towards(RoutePoint next, double share) {
         return new RoutePoint(
                 time + share * (next.time - time),

@@ -30,7 +30,7 @@ public record RouteProfile(List<RoutePoint> points) {
     }
 
     /**
-     * The profile of a path, with a point at least every half node's distance and at each of its corners.
+     * The profile of a path, with a point at least every half distance between nodes, and at each of its corners.
      *
      * @param height the height of a point above the ground, m
      */

@@ -146,10 +146,10 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches once more, as if the drone were also exposed to something else, such as to what flights have shown.
+     * Searches once more, with another field of exposure added, such as the exposure that flights have revealed.
      *
      * @param routes the weakest routes so far, by sector
-     * @param more what else it is exposed to; it does not count in the exposure of the result
+     * @param more the field that is added; it does not count in the exposure of the result
      * @return by sector, the weakest routes of this search; sectors without a route that is short enough are left out
      */
     public Map<Integer, WeakestRoute> past(Map<Integer, WeakestRoute> routes, ExposureField more) {
@@ -164,11 +164,11 @@ public final class SiteRoutes {
 
     /**
      * Searches once more, for the routes that are least exposed all the way. In the other searches, the drone takes the
-     * fastest way from the point after which detections come too late, even if a slower one would keep it undetected.
+     * fastest path from the point after which detections come too late, even if a slower one would keep it undetected.
      *
      * @param routes the weakest routes so far, by sector: those of this search may join them
      * @param sectors for which to search, among those of the routes
-     * @param more what else the drone is exposed to; it does not count in the exposure of the result
+     * @param more a field of exposure that is added; it does not count in the exposure of the result
      * @return by sector, the weakest route of this search, with the exposure on the part on which a detection counts;
      *     if it takes too long, faster versions of it: one speeds up where this adds the least exposure, the other
      *     speeds up first where a detection comes too late. Empty for sectors without a route that is short enough

@@ -105,7 +105,10 @@ final class UnsteadyPart {
         return alike(from, passesFrom, low, passesLow) + alike(high, passesHigh, to, passesTo);
     }
 
-    /** The same if it is visible at both, or at none: by Simpson's rule, unless the middle differs. */
+    /**
+     * The integral between two fractions of the part if the drone is visible at both, or at neither: by Simpson's rule,
+     * unless the middle differs.
+     */
     private double alike(double from, double passesFrom, double to, double passesTo) {
         double middle = 0.5 * (from + to);
         double passes = passing(middle);

@@ -16,7 +16,7 @@ import org.dronewatch.fusion.Alert;
  * @param zoneDistance the drone's distance to the protected zone at the alert, m; empty without a zone or an alert
  * @param warning warning time: straight-line flight time from the drone's position at the alert to the zone at cruise
  *     speed, s; 0 if the drone had already reached the zone; empty without a zone or an alert
- * @param entered when its flight reached the zone, s; empty if it did not during the run
+ * @param entered time at which the drone reached the zone, s; empty if it did not during the run
  * @param zone name of the protected zone that the drone enters first or, if it enters none, to which it is nearest at
  *     its alert; empty without named zones, or if there is neither an entry nor an alert
  * @param inTime whether the warning time covers the response time and the alert preceded the drone's arrival; empty if

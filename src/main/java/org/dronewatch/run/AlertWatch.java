@@ -24,8 +24,8 @@ import org.dronewatch.tracking.ContactLook;
 import org.dronewatch.tracking.PerfectAssociation;
 
 /**
- * Scores the alerts of one run, which its rule raises or forecasts: the time at which each drone could first have been
- * seen, the time of its alert, and the warning time.
+ * Scores the alerts that the scene's rule raises or forecasts in one run: the time at which each drone could first have
+ * been seen, the time of its alert, and the warning time.
  */
 public final class AlertWatch {
     private final int run;

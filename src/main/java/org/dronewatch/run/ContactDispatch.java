@@ -34,7 +34,7 @@ final class ContactDispatch {
     }
 
     /**
-     * Turns the positioner of a sensor until a time, s, not before the last one.
+     * Turns the positioner of a sensor until a time, s, not before that of the previous call.
      *
      * @return where it then points; empty for a sensor on a fixed mount
      */

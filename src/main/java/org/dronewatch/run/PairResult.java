@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
  * @param kind its kind
  * @param drone name of the drone
  * @param firstDetected when it was first detected, s; empty if never
- * @param range its distance then, m
+ * @param range distance of the drone from the sensor at that time, m
  * @param isUnknown whether the line of sight to it left the known ground at that time, so that something may have
  *     hidden it
  * @param maxRange the largest distance at which it was detected, m

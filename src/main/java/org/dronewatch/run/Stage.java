@@ -369,12 +369,12 @@ public final class Stage {
         return observations;
     }
 
-    /** The last looks by contact, as received by alert rules and positioners. */
+    /** The most recent looks by contact, as received by alert rules and positioners. */
     List<ContactLook> contactLooks() {
         return contactLooks;
     }
 
-    /** The alerts that the last looks raised. */
+    /** The alerts that the most recent looks raised. */
     List<Alert> raised() {
         return raised;
     }

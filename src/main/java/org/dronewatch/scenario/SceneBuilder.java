@@ -57,7 +57,7 @@ public final class SceneBuilder {
         world = (world == null ? WorldSettings.EMPTY : world).withTerrain(terrain);
     }
 
-    /** Assigns an acoustic surface of the table to a material of the model. */
+    /** Assigns an acoustic surface of the library, by its name, to a material of the models. */
     public void nameSurface(String material, String surface) {
         surfaces = surfaces.with(material, surface);
     }

@@ -18,7 +18,7 @@ public record ConditionedScene(String name, SceneSettings settings) {
     /**
      * A scene under each of several conditions; nothing is loaded.
      *
-     * @param runners makes a new runner of the scene as it is
+     * @param runners makes a new runner of the scene without any condition
      * @param drone name of a drone that each of these scenes must have
      * @throws InputException in one line with the location of a change that does not fit the scene
      */

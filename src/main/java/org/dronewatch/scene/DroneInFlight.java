@@ -15,9 +15,10 @@ import org.dronewatch.setting.InputException;
 
 /**
  * A drone during a run, at the simulator's time: its state, and commands if its flight is {@code steered}. A command
- * takes effect now and holds until the next one; between two commands, velocity and attitude are constant, and the
- * position follows from them. If several commands have the same time, the last one takes effect. A command from a
- * listener of a scene's observations takes effect just after that look.
+ * takes effect now and holds until the next one; between two commands, velocity and attitude are constant, except that
+ * a drone stops at the point to which it was sent by {@link #flyTo}, and the position follows from the velocity. If
+ * several commands have the same time, the last one takes effect. A command that a listener gives in response to an
+ * observation takes effect just after the look of that observation.
  *
  * <p>Only the thread that runs the scene may give commands, in a pilot, in events of the simulator or in listeners: a
  * command from another thread would take effect at whatever time the run happened to have reached, and the run could
@@ -80,8 +81,8 @@ public final class DroneInFlight {
      * moves straight up or down, or is at rest, keeps its heading.
      *
      * @param velocity east, north and up, m/s
-     * @throws InputException when that is null or faster than the drone's speed, the drone is neither steered nor
-     *     recorded, the run is over, or another thread runs it
+     * @throws InputException when the velocity is null or faster than the drone's cruise speed, the drone is neither
+     *     steered nor recorded, the run is over, or another thread runs it
      */
     public void fly(Position velocity) {
         command((flight, now) -> flight.fly(now, velocity));
@@ -92,8 +93,8 @@ public final class DroneInFlight {
      *
      * @param velocity east, north and up, m/s
      * @param attitude yaw, pitch and roll, independent of the velocity
-     * @throws InputException when that is null or faster than the drone's speed, the drone is neither steered nor
-     *     recorded, the run is over, or another thread runs it
+     * @throws InputException when the velocity or the attitude is null, the velocity is faster than the drone's cruise
+     *     speed, the drone is neither steered nor recorded, the run is over, or another thread runs it
      */
     public void fly(Position velocity, Attitude attitude) {
         command((flight, now) -> flight.fly(now, velocity, attitude));
@@ -104,8 +105,8 @@ public final class DroneInFlight {
      *
      * @param target the point, m
      * @param time when the drone is to arrive, after now, seconds since the start of the run
-     * @throws InputException when that requires more than the drone's speed, the point is null, the time is not after
-     *     now, the drone is neither steered nor recorded, the run is over, or another thread runs it
+     * @throws InputException when that requires more than the drone's cruise speed, the point is null, the time is not
+     *     after now, the drone is neither steered nor recorded, the run is over, or another thread runs it
      */
     public void flyTo(Position target, double time) {
         command((flight, now) -> flight.flyTo(now, target, time));

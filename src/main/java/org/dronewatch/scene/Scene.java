@@ -108,8 +108,8 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     }
 
     /**
-     * The range at which, by a simple analytic model, a sensor should first detect the drone, m; plotted for comparison
-     * with the results of a sweep. Empty unless overridden.
+     * The range at which, according to a simple analytic model, a sensor should first detect the drone, m; plotted for
+     * comparison with the results of a sweep. Empty unless overridden.
      *
      * @param settings settings of one run
      * @param sensor name of the sensor
@@ -153,7 +153,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         setBackgroundNoise(BackgroundNoise.of(level));
     }
 
-    /** Sets the background noise by its spectrum, such as {@code BackgroundNoise.of(BandLevels.of(45, 41, ...))}. */
+    /** Sets level and spectrum of the background, as in {@code BackgroundNoise.of(BandLevels.of(45, 41, ...))}. */
     protected final void setBackgroundNoise(BackgroundNoise noise) {
         building().setBackgroundNoise(noise);
     }

@@ -39,7 +39,8 @@ import org.dronewatch.world.World;
 
 /**
  * Runs a scene on the caller's thread: once, or once for each value of its sweep. The results depend only on the scene,
- * its settings and the seed, not on threads or pace. A runner completes one run only, and is used by one thread.
+ * its settings and the seed, not on threads or pace. A runner completes {@link #run} only once, and is used by one
+ * thread.
  */
 public final class SceneRunner {
     private static final double NANO = 1e-9;
@@ -226,7 +227,9 @@ public final class SceneRunner {
         return configured.text(settings, file);
     }
 
-    /** The input of the last run, with the models loaded so far; before any run, the scene as it is now. */
+    /**
+     * The input of the most recent run, with the models loaded so far; before any run, that of the scene as it is now.
+     */
     public InputFiles inputs() {
         InputFiles known = inputs.orElseGet(() -> configured.inputs(settings()));
         return known.withModels(models().cache().files());
@@ -274,8 +277,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Warns, once, of weather and light in the settings that no sensor of the scene takes into account; a run does so
-     * by itself. A picture of the site shows them in any case.
+     * Warns, once, of weather and light in the settings that no sensor of the scene takes into account; a run gives
+     * this warning without being asked. A picture of the site shows weather and light in any case.
      */
     public void adviseOnConditions() {
         models().adviseOnConditions();

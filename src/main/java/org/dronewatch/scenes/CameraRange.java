@@ -42,8 +42,8 @@ public final class CameraRange extends Scene {
     }
 
     /**
-     * The mean range: a silhouette of A m2 at d metres covers {@code A (f/d)^2} pixels, and this is the distance at
-     * which that number equals the threshold.
+     * The mean range: with a focal length of f pixels, a silhouette of A m2 at d metres covers {@code A (f/d)^2}
+     * pixels, and this is the distance at which that number equals the threshold.
      */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {

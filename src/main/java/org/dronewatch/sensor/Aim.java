@@ -53,7 +53,7 @@ public sealed interface Aim permits Aim.Direction, Aim.Target {
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 
-        /** The direction in which a positioner points, even after many full turns. */
+        /** The direction in which a positioner points; an azimuth beyond two full turns is reduced to -pi to pi. */
         public static Direction of(org.dronewatch.positioner.Direction pointing) {
             double azimuth = Math.abs(pointing.azimuth()) > In.TWO_TURNS
                     ? Math.IEEEremainder(pointing.azimuth(), 2.0 * Math.PI)

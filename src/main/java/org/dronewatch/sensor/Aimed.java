@@ -6,7 +6,7 @@ public interface Aimed {
     /** The aim of the sensor, in effect when no positioner turns it. */
     Aim aim();
 
-    /** Whether it matters where the sensor points; false if it is the same in all horizontal directions. */
+    /** Whether it matters where the sensor points; false if it covers all horizontal directions equally. */
     default boolean isDirectional() {
         return true;
     }

@@ -57,11 +57,12 @@ public interface AssessableSensor extends Sensor {
     }
 
     /**
-     * As {@link #assess}, but at less cost where possible, for a field that stores probabilities in steps. A
-     * probability may be replaced by another one that counts as equal, but 0 and 1 are not replaced. Estimates may draw
-     * other random numbers; they are just as accurate, unless it matters only on which side of a limit they lie. The
-     * quantity may be lower for a drone that is detected and, if it is an estimate, for one that is missed; the cause
-     * and the obstacle are the same unless they depend on an estimate. Calls {@code assess} unless overridden.
+     * Assesses a drone as {@link #assess} does, but at less cost where possible, for a field that stores probabilities
+     * in steps. A probability may be replaced by another one that counts as equal, but 0 and 1 are not replaced.
+     * Estimates may draw other random numbers; they are just as accurate, unless it matters only on which side of a
+     * limit they lie. The quantity may be lower for a drone that is detected and, if it is an estimate, for one that is
+     * missed; the cause and the obstacle are the same unless they depend on an estimate. Calls {@code assess} unless
+     * overridden.
      *
      * @param resolution the probabilities that count as equal
      */

@@ -51,8 +51,9 @@ public final class Assessor {
     }
 
     /**
-     * As {@link AssessableSensor#assess}, in this assessor's world. Where the ground is not known everywhere below the
-     * line of sight, the signal is computed as if nothing were there, and the cause is {@link Cause#UNKNOWN}.
+     * Assesses a drone in this assessor's world, as {@link AssessableSensor#assess} does. Where the ground is not known
+     * everywhere below the line of sight, the signal is computed as if nothing were there, and the cause is
+     * {@link Cause#UNKNOWN}.
      */
     public Assessment assess(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         Assessment known = assessAsIfKnown(drone, pointing, rayRandom);
@@ -60,8 +61,8 @@ public final class Assessor {
     }
 
     /**
-     * The probability of {@link #assess(Drone, Optional, RandomGenerator)}, without the reason for a miss, which takes
-     * as long to find.
+     * The probability given by {@link #assess(Drone, Optional, RandomGenerator)}, without finding the reason for a
+     * miss, which would take as long again.
      */
     public double probability(Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom) {
         return sensor instanceof AssessableSensor assessable
@@ -70,7 +71,8 @@ public final class Assessor {
     }
 
     /**
-     * As {@link AssessableSensor#assessCoarsely} in this assessor's world; {@link Cause#UNKNOWN} as in
+     * Assesses a drone in this assessor's world, at less cost where possible, as
+     * {@link AssessableSensor#assessCoarsely} does; the cause is {@link Cause#UNKNOWN} in the same cases as in
      * {@link #assess(Drone, Optional, RandomGenerator)}.
      */
     public Assessment assessCoarsely(
@@ -83,9 +85,9 @@ public final class Assessor {
     }
 
     /**
-     * As {@link BoundingSensor#boundAtAllHeadings}, in this assessor's world; empty for sensors of other kinds. Where
-     * the ground below the line of sight is not known everywhere, the cause is {@link Cause#UNKNOWN}, with a
-     * probability of 0.
+     * Bounds that hold at every heading in this assessor's world; see {@link BoundingSensor#boundAtAllHeadings}. Empty
+     * for sensors of other kinds. Where the ground below the line of sight is not known everywhere, the cause is
+     * {@link Cause#UNKNOWN}, with a probability of 0.
      */
     public Optional<AssessmentBounds> boundAtAllHeadings(Drone drone, Position at, Optional<Pointing> pointing) {
         if (!(sensor instanceof BoundingSensor bounding)) {
@@ -96,7 +98,10 @@ public final class Assessor {
                 : Optional.of(AssessmentBounds.UNKNOWN);
     }
 
-    /** As {@link BoundingSensor#bound}, in this assessor's world; otherwise as {@link #boundAtAllHeadings}. */
+    /**
+     * Bounds for a state of a drone in this assessor's world; see {@link BoundingSensor#bound}. Sensors of other kinds
+     * and unknown ground are treated as in {@link #boundAtAllHeadings}.
+     */
     public Optional<AssessmentBounds> bound(
             Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps) {
         if (!(sensor instanceof BoundingSensor bounding)) {
@@ -112,7 +117,10 @@ public final class Assessor {
         return sensor instanceof BoundingSensor;
     }
 
-    /** As {@link BoundingSensor#greatestMarginDb}, in this assessor's world; infinity for sensors of other kinds. */
+    /**
+     * An upper bound on the margin of a drone in this assessor's world, dB; see
+     * {@link BoundingSensor#greatestMarginDb}. Infinity for sensors of other kinds.
+     */
     public double greatestMarginDb(Drone drone, FlightState state, Optional<Pointing> pointing) {
         return sensor instanceof BoundingSensor bounding
                 ? bounding.greatestMarginDb(world, drone, state, pointing)
@@ -151,8 +159,8 @@ public final class Assessor {
     }
 
     /**
-     * An assessment with a signal that was found by other means, such as interpolation; {@link Cause#UNKNOWN} as in
-     * {@link #assess(Drone, Optional, RandomGenerator)}.
+     * An assessment with a signal that was found by other means, such as interpolation; the cause is
+     * {@link Cause#UNKNOWN} in the same cases as in {@link #assess(Drone, Optional, RandomGenerator)}.
      */
     public Assessment assess(Signal signal, Drone drone, Optional<Pointing> pointing) {
         if (!signal.isDetected()) {
@@ -166,19 +174,25 @@ public final class Assessor {
         return sensor instanceof InterpolableSensor smooth ? Optional.of(smooth) : Optional.empty();
     }
 
-    /** As {@link AssessableSensor#isSameAtAllHeadings}, in this assessor's world; false for sensors of other kinds. */
+    /**
+     * Whether the assessment is certain to be the same at every heading in this assessor's world; see
+     * {@link AssessableSensor#isSameAtAllHeadings}. False for sensors of other kinds.
+     */
     public boolean isSameAtAllHeadings(Drone drone, Optional<Pointing> pointing) {
         return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllHeadings(world, drone, pointing);
     }
 
-    /** As {@link AssessableSensor#isSameAtAllSpeeds}; false for sensors of other kinds. */
+    /**
+     * Whether the assessment is certain to be the same at every speed; see {@link AssessableSensor#isSameAtAllSpeeds}.
+     * False for sensors of other kinds.
+     */
     public boolean isSameAtAllSpeeds() {
         return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllSpeeds();
     }
 
     /**
-     * As {@link AssessableSensor#explainMiss} in this assessor's world; {@link Cause#UNKNOWN} as in
-     * {@link #assess(Drone, Optional, RandomGenerator)}.
+     * The reason why a drone is missed in this assessor's world; see {@link AssessableSensor#explainMiss}. The cause is
+     * {@link Cause#UNKNOWN} in the same cases as in {@link #assess(Drone, Optional, RandomGenerator)}.
      */
     public Explanation explainMiss(Drone drone, Optional<Pointing> pointing) {
         if (!isKnown(drone)) {

@@ -132,7 +132,7 @@ public record Observation(
 
     /**
      * The probability that this look detects the drone, 0 to 1; for a sensor that does not estimate it, 1 if the look
-     * did and 0 if not.
+     * detected the drone and 0 if it did not.
      */
     public double probability() {
         return figures.getOrDefault(PROBABILITY, isDetected() ? 1.0 : 0.0);

@@ -8,7 +8,7 @@ import java.lang.annotation.Target;
 
 /**
  * The names that a component of a settings record had in earlier versions. Scene files, {@code --set}, sweeps and files
- * of sensors that use one of them still work, with a warning that gives the current name; giving the same setting by
+ * of sensors that use one of them still work, with a warning that gives the current name; giving the same setting under
  * two of its names is an error. The program writes the current name.
  *
  * <pre>{@code

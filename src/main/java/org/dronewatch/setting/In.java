@@ -31,14 +31,14 @@ import java.lang.annotation.Target;
  *   <li><b>Where it applies.</b> On components of type {@code int}, {@code long}, {@code double}, their boxed types,
  *       and lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and
  *       is not checked.
- *   <li><b>When it is checked.</b> A scene checks all its records once it has been described, before anything is
+ *   <li><b>When it is checked.</b> A scene checks all its records once its settings are complete, before anything is
  *       loaded. A record whose constructor calls {@link Limits#check(Class, Object...)} rejects an invalid number
  *       immediately, so that the stack trace names the line of code.
  * </ul>
  *
  * <p>The messages name the component, the value and the limit:
- * {@code acuity 60 deg must be 0.01718873 to 5.729578 deg}. The schema of scene files and the page of all settings
- * repeat the limits of the program's own records.
+ * {@code acuity 60 deg must be 0.01718873 to 5.729578 deg}. The schema of scene files and the documentation page
+ * that lists all settings repeat the limits of the program's own records.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

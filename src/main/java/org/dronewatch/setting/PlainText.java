@@ -47,7 +47,7 @@ public final class PlainText {
         return visible(text, true);
     }
 
-    /** Words in a row, {@code a, b and c}; an empty text without words. */
+    /** Words as a list in a sentence, {@code a, b and c}; an empty text if there are no words. */
     public static String list(List<String> words) {
         int last = words.size() - 1;
         return last < 1

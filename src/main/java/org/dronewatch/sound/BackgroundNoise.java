@@ -13,8 +13,8 @@ import org.dronewatch.setting.Quantity;
 public record BackgroundNoise(@In(value = Quantity.LEVEL, from = -20, to = 140) double level, BandLevels shape) {
     /**
      * A spectrum that falls by 4 dB per octave. The slope is assumed: it lies between that of wind in leaves, which is
-     * flatter, and that of distant traffic, which is steeper. Detection by bands depends strongly on it, so measure the
-     * spectrum at your site.
+     * flatter, and that of distant traffic, which is steeper. Detection in separate bands depends strongly on it, so
+     * measure the spectrum at your site.
      */
     public static final BandLevels FALLING = BandLevels.of(0, -4, -8, -12, -16, -20, -24, -28);
 

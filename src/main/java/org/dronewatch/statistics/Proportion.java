@@ -28,7 +28,7 @@ public record Proportion(int count, int of) {
      * probability is close to 0 or 1.
      *
      * @param confidence such as 0.95, above 0 and below 1
-     * @return from 0 to 1 without cases
+     * @return the interval from 0 to 1 if there are no cases
      */
     public Interval wilson(double confidence) {
         if (of == 0) {
@@ -47,8 +47,8 @@ public record Proportion(int count, int of) {
      * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): at this probability,
      * neither this count or a higher one nor this count or a lower one is too unlikely; the limit for each is
      * {@code (1 - confidence) / 2}. In a fraction of at least {@code confidence} of many campaigns, the interval
-     * contains the true probability, even where Wilson's interval contains it less often, as where fewer than one case
-     * is expected.
+     * contains the true probability, even where Wilson's interval contains it less often, for example if fewer than one
+     * case with the outcome is expected.
      *
      * @param probability 0 to 1
      * @param confidence such as 0.95, above 0 and below 1

@@ -20,7 +20,7 @@ public final class KnownGround {
     }
 
     /**
-     * The known ground of a terrain whose rim is known, too.
+     * The known ground of a terrain whose rim has been determined before.
      *
      * @param rim as {@link #rim()} returned it for the same terrain
      * @throws IllegalArgumentException if it is not a list of sides, each with the finite coordinates of both ends

@@ -131,7 +131,7 @@ public class PerfectAssociation {
         return new BearingMatcher(drones::containsKey, gate, within);
     }
 
-    /** How likely each of the last looks was to detect its contact, for scoring. */
+    /** How likely each of the latest looks was to detect its contact, for scoring. */
     public List<AssessedLook> assessed() {
         return List.copyOf(assessed);
     }

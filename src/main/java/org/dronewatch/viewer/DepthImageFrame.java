@@ -67,7 +67,7 @@ public final class DepthImageFrame extends JFrame {
         });
     }
 
-    /** The image as large as it fits, without distortion. */
+    /** The image as large as fits, without distortion. */
     static final class Canvas extends JPanel {
         private static final long serialVersionUID = 1L;
         private transient BufferedImage picture;

@@ -238,7 +238,7 @@ public final class Viewer implements AutoCloseable {
         return closing || next != null;
     }
 
-    /** The listener by which the window receives the run. */
+    /** The listener through which the window receives the run. */
     public SceneListener listener() {
         return recording;
     }

@@ -91,8 +91,8 @@ public final class Visibility {
     /**
      * Whether a segment is free of obstacles.
      *
-     * @param fromX of the point, m
-     * @param alongX of the vector, m
+     * @param fromX x coordinate of the point, m
+     * @param alongX x component of the vector, m
      * @param end the segment ends at this multiple of the vector, 0 or more; infinite for a ray without end
      */
     public boolean isFreeAlong(
@@ -117,8 +117,8 @@ public final class Visibility {
     /**
      * Looks for the first surface along a vector from a point.
      *
-     * @param fromX of the point, m
-     * @param alongX of the vector, m
+     * @param fromX x coordinate of the point, m
+     * @param alongX x component of the vector, m
      * @param end the segment ends at this multiple of the vector, 0 or more; infinite for a ray without end
      * @return whether there is one; {@link #triangle()} is its number
      */

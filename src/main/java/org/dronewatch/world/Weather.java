@@ -1,7 +1,7 @@
 package org.dronewatch.world;
 
 /**
- * The weather and light of a site, as far as the number of a sensor's false alarms may depend on them.
+ * The aspects of the weather and light of a site on which the number of a sensor's false alarms may depend.
  *
  * @param rain rain rate, mm/h
  * @param wind wind speed at a height of 10 m, m/s

@@ -110,7 +110,7 @@ public record WorldSettings(
                 TracingSettings.DEFAULT);
     }
 
-    /** These settings with one more model, such as a house on the hill. */
+    /** These settings with one more model, such as a house on a hill. */
     public WorldSettings withModel(ModelSettings model) {
         List<ModelSettings> more = new ArrayList<>(models);
         more.add(model);

@@ -53,7 +53,7 @@ public record FieldTerms(
         return new FieldTerms(other, within);
     }
 
-    /** The number of whole looks that a sensor takes within the time, 0 or more; 1 if there is no time. */
+    /** The number of whole looks that a sensor takes within the time, 0 or more; 1 if the terms state no time. */
     public long looks(SensorSettings<?> sensor) {
         return within.map(seconds -> (long) Math.floor(seconds * sensor.rate() + ROUNDING))
                 .orElse(1L);
@@ -61,12 +61,12 @@ public record FieldTerms(
 
     /**
      * The probability that a sensor detects a drone that stays where it is, if all its looks have the same probability
-     * p: in one look, p; in the n whole looks within a time {@code 1 - (1 - p)^n}. Where chance decides once per
-     * encounter, it is that of an observer drawn at random who searches for as long as these looks take, that is, n
-     * intervals between looks: {@code p (1 - exp(-p t / 3.4 s))}; see {@link Chance#hazard}. For a sensor that
-     * searches, whose looks differ, see {@link LookWindow}.
+     * p of detecting it: in one look, p; in the n whole looks within a time, {@code 1 - (1 - p)^n}. Where chance
+     * decides once per encounter, it is that of an observer drawn at random who searches for as long as these looks
+     * take, that is, for the time t of n intervals between looks: {@code p (1 - exp(-p t / 3.4 s))}; see
+     * {@link Chance#hazard}. For a sensor that searches, whose looks differ, see {@link LookWindow}.
      *
-     * @param look probability of a look, 0 to 1
+     * @param look probability that a single look detects the drone, 0 to 1
      * @return 0 and 1 only where they are exact
      */
     public double probability(double look, SensorSettings<?> sensor) {
@@ -87,15 +87,15 @@ public record FieldTerms(
         return Math.max(Double.MIN_VALUE, detected);
     }
 
-    /** How finely a field resolves the probability of a look of a sensor. */
+    /** How finely a field resolves the probability that a look of a sensor detects the drone. */
     public ProbabilityResolution resolution(SensorSettings<?> sensor) {
         boolean isAnyAlike = within.isEmpty() || sensor.chance() == Chance.PER_LOOK;
         return ProbabilityResolution.upTo(isAnyAlike ? ProbabilityStep.probability(ProbabilityStep.CERTAIN - 1) : 1.0);
     }
 
     /**
-     * How finely a field resolves the probability of a look of a sensor if all that matters is whether the probability
-     * on these terms reaches a step.
+     * How finely a field resolves the probability that a look of a sensor detects the drone, if all that matters is
+     * whether the probability on these terms reaches a step.
      *
      * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
      */

@@ -18,7 +18,7 @@ public record GlideDescent(double speed, double ratio, double since) {
     private static final double COLD = 3.0;
 
     /**
-     * The best glide of a drone whose motors have been off for three of its cooling times.
+     * The best glide of a drone whose motors have been off for three times its cooling time.
      *
      * @throws IllegalArgumentException if the drone cannot glide
      */

@@ -53,7 +53,7 @@ public final class MarginCode {
     }
 
     /**
-     * The code for a margin between two bounds, dB: that of both if they have the same, otherwise a code for one of
+     * The code for a margin between two bounds, dB: the code of both if it is the same, otherwise the code for one of
      * them.
      *
      * @param isDetected whether the drone is detected: then the lower bound is kept, otherwise the upper one

@@ -55,7 +55,7 @@ public final class ProbabilityStep {
         return step > SMALL ? (step - SMALL - 0.5) / EVEN : 0.5 / EVEN / Math.pow(FACTOR, SMALL + 1.0 - step);
     }
 
-    /** The first step at which a sensor covers a cell, if a probability of at least 1/250 is needed for it. */
+    /** The first step at which a sensor covers a cell, given the probability that this requires, 1/250 or more. */
     public static int toCover(double covered) {
         return SMALL + (int) Math.ceil(covered * EVEN - 1e-9);
     }

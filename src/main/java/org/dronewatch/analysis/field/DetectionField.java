@@ -190,7 +190,7 @@ public final class DetectionField {
         return all.interpolated();
     }
 
-    /** What is interpolated between the cells of a sensor, given by its name. */
+    /** What is interpolated between cells for a sensor, given by its name; empty if each cell is assessed. */
     public Optional<ExcessMap> excess(String sensor) {
         return all.excess(sensor);
     }
@@ -261,15 +261,15 @@ public final class DetectionField {
     }
 
     /**
-     * Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where it cannot be. Arguments as for
-     * {@link #step}.
+     * Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where the drone cannot be. Arguments as
+     * for {@link #step}.
      */
     public Cause cause(int sensor, int height, int column, int row, int course) {
         return all.cause(sensor, height, column, row, course);
     }
 
     /**
-     * The margin by which the signal of a sensor exceeds its threshold, as far as it is kept: in most cells as a bound;
+     * The margin by which the signal of a sensor exceeds its threshold, as the field keeps it: in most cells, a bound;
      * {@link Margin.Known#NOTHING} where the drone cannot be. Arguments as for {@link #step}.
      */
     public Margin margin(int sensor, int height, int column, int row, int course) {

@@ -222,7 +222,7 @@ public final class FieldCoverage {
                 && field.step(sensor, height, column, row, courseAt(height, column, row)) >= needed;
     }
 
-    /** Whether a sensor covers a cell. */
+    /** Whether any sensor covers a cell. */
     public boolean isCovered(int height, int column, int row) {
         return count(height, column, row) > 0;
     }
@@ -252,7 +252,7 @@ public final class FieldCoverage {
 
     /**
      * The number of the sensor whose cause is the dominant one in a cell in which a drone can be, decided by the exact
-     * margins of all sensors, dB; there must be a sensor.
+     * margins of all sensors, dB; there must be at least one sensor.
      */
     public int deciding(int height, int column, int row, IntToDoubleFunction margins) {
         return Dominance.of(field.sensors().size(), ranks(height, column, row, courseAt(height, column, row)), margins);

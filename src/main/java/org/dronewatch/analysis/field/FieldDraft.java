@@ -184,7 +184,7 @@ public final class FieldDraft {
         return List.copyOf(reduced);
     }
 
-    /** The field as far as it is known, with this height only. */
+    /** What is known of the field so far, at this height only. */
     public DetectionField field() {
         List<SensorLayer> layers = new ArrayList<>();
         for (int sensor = 0; sensor < others.size(); sensor++) {

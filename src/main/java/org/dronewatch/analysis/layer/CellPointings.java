@@ -11,10 +11,10 @@ import org.dronewatch.sensor.Assessor;
  *
  * @param towards all pointings in which it may see the drone, evenly spaced in time; each empty for the sensor's own
  *     aim
- * @param passes the positions in this list at which the drone enters the field of view: before each of them, it was
- *     outside
+ * @param passes the indices in {@code towards} at which the drone enters the field of view: just before each of them,
+ *     it was outside
  * @param phases for each of the pointings, the number of its phase of the search
- * @param share fraction of the time that they represent, 0 to 1
+ * @param share fraction of the time that these pointings represent, 0 to 1
  * @param away a pointing in which it cannot see the drone, if the fraction is less than 1
  */
 public record CellPointings(

@@ -94,8 +94,8 @@ public final class LayerStore {
     }
 
     /**
-     * What is interpolated between the cells of a field, as it was kept, or computed again on the {@link Workers} of
-     * the calling thread; empty if each cell is assessed.
+     * What is interpolated between the cells of a field: taken from this store if it is there, otherwise computed on
+     * the {@link Workers} of the calling thread; empty if each cell is assessed.
      *
      * @param plan where the columns are
      * @param progress receives the number of cells done since the last call; in total, all cells if levels may be

@@ -26,7 +26,7 @@ import org.dronewatch.sensor.Cause;
  * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} represents a
  *     probability that is too low
  * @param examined a few cells for each cause, spread evenly over the cells with that cause, and, where the signal is
- *     too weak, those with the greatest and the least margin, as far as the field keeps values; they are assessed
+ *     too weak, those with the greatest and the least of the margins that the field keeps as values; they are assessed
  *     again, with what hides the drone, and by how much its signal is too weak
  */
 public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examined> examined) {

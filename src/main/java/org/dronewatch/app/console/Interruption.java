@@ -18,7 +18,7 @@ public final class Interruption implements AutoCloseable {
     private volatile boolean happened;
     private volatile boolean outOfTime;
 
-    /** Watches over what the calling thread does from now on, until it is closed. */
+    /** Watches over what the calling thread does from now on, until this object is closed. */
     public Interruption() {
         try {
             Runtime.getRuntime().addShutdownHook(hook);
@@ -29,8 +29,8 @@ public final class Interruption implements AutoCloseable {
     }
 
     /**
-     * Whether the process is already ending. Java then knows the exit code of the signal, which a command's own must
-     * not replace.
+     * Whether the process is already ending. After a signal, Java then exits with the signal's exit code, which the
+     * command must not replace with its own.
      */
     public static boolean isUnderWay() {
         Thread none = new Thread(() -> {});
@@ -54,8 +54,8 @@ public final class Interruption implements AutoCloseable {
     }
 
     /**
-     * Limits the time of the command: once it is over, its thread is interrupted, unless {@link #letFinish} has
-     * been called by then.
+     * Limits the time of the command: once that time is over, the command's thread is interrupted, unless
+     * {@link #letFinish} has been called by then.
      *
      * @param seconds time from now, s
      */

@@ -9,7 +9,7 @@ import org.dronewatch.run.SceneListener;
 import org.dronewatch.run.Stage;
 import org.dronewatch.setting.PlainText;
 
-/** A progress bar on standard error, when that is a terminal. */
+/** A progress bar on standard error, if that is a terminal. */
 public final class Progress implements SceneListener, AutoCloseable {
     private static final int STEPS = 1000;
 

@@ -26,10 +26,10 @@ import org.dronewatch.world.World;
  * @param longitude of the origin, degrees
  * @param radius of the site, m
  * @param terrain names of the files of elevations beside the scene
- * @param terrainCrs system of these files, if they do not state it
+ * @param terrainCrs coordinate reference system of these files, if they do not state it
  * @param isSurface whether roofs and treetops are in the elevations
  * @param buildings name of the map beside the scene
- * @param mapCrs system of the map, if it does not state it
+ * @param mapCrs coordinate reference system of the map, if it does not state it
  */
 public record NewScene(
         String name,

@@ -73,12 +73,12 @@ public record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<
         return map.map(NewSiteFiles::name);
     }
 
-    /** The system to state for the elevations; empty if all files state their own. */
+    /** The coordinate reference system to state for the elevations; empty if all files state their own. */
     public Optional<String> terrainCrs() {
         return crs(TERRAIN, terrain.stream(), file -> open(file).needsCrs());
     }
 
-    /** The system to state for the map; empty if it states its own. */
+    /** The coordinate reference system to state for the map; empty if it states its own. */
     public Optional<String> mapCrs() {
         return crs(MAP, map.stream(), NewSiteFiles::needsCrs);
     }

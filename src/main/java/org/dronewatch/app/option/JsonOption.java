@@ -21,7 +21,7 @@ public final class JsonOption {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    /** Whether an object is asked for. */
+    /** Whether a JSON object is asked for. */
     public boolean isAsked() {
         return json;
     }
@@ -29,8 +29,8 @@ public final class JsonOption {
     /**
      * Prints the results of the command, in the form that the user has chosen.
      *
-     * @param object gives them as an object
-     * @param tables prints them for people
+     * @param object gives the results as a JSON object
+     * @param tables prints the results as tables, for people
      */
     public void print(Supplier<ObjectNode> object, Consumer<PrintWriter> tables) {
         PrintWriter out = command.commandLine().getOut();

@@ -27,7 +27,7 @@ public final class SceneChoice extends ChosenScene {
     }
 
     /**
-     * One run of a sweep, or the only run of a scene without one.
+     * The settings of one run of a sweep, or of the only run of a scene without a sweep.
      *
      * @param run the value of {@code --run}
      * @throws InputException when there is no such run

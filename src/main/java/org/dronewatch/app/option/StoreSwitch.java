@@ -8,7 +8,10 @@ public interface StoreSwitch {
     /** Where prepared sites are kept. */
     StorePlace store();
 
-    /** Where a command keeps prepared sites: as its main command says, if that has such a switch. */
+    /**
+     * Where a command keeps prepared sites: as set on its main command if that has such a switch, otherwise in the
+     * store of this process.
+     */
     static StorePlace of(CommandSpec command) {
         return command.root().userObject() instanceof StoreSwitch given ? given.store() : StorePlace.ofProcess();
     }

@@ -53,8 +53,8 @@ public final class CameraRendering extends Rendering {
     }
 
     /**
-     * {@inheritDoc} It shows the last look of a camera on a positioner, or the view from a fixed mount at any time.
-     * Without a positioner or a steered drone, no simulation is needed.
+     * {@inheritDoc} The picture shows the most recent look of a camera on a positioner, or the view from a fixed
+     * mount at any time. Without a positioner or a steered drone, no simulation is needed.
      */
     @Override
     public String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {

@@ -9,7 +9,7 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
 
-/** Simulates one run of a scene as far as pictures of the run require it, with a progress bar. */
+/** Simulates as much of one run of a scene as pictures of the run require, with a progress bar. */
 public final class Simulation {
     private final Scene scene;
     private final SceneRunner runner;

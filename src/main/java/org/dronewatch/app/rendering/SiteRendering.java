@@ -43,8 +43,8 @@ public final class SiteRendering extends Rendering {
     }
 
     /**
-     * {@inheritDoc} It shows no detections, so that a scene without positioners or steered drones need not be
-     * simulated.
+     * {@inheritDoc} The picture shows no detections, so that a scene without positioners or steered drones need not
+     * be simulated.
      */
     @Override
     public String picture(double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec) {

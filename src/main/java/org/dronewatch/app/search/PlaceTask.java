@@ -21,13 +21,13 @@ import org.dronewatch.report.placement.PlaceMeasure;
 import org.dronewatch.run.Stage;
 
 /**
- * A placement that is to be found: what all objectives need.
+ * A placement that is to be found: what the search needs, whatever its objective.
  *
  * @param plan what is asked for
  * @param stage of its scene
  * @param store of assessments that were made before
  * @param limits of each choice among candidates
- * @param budgets greatest number of budgets, including the whole one
+ * @param budgets maximum number of budgets for which the best layout is sought, including the full one
  * @param interruption by the user
  * @param shown shows the progress
  */

@@ -10,7 +10,7 @@ import org.dronewatch.setting.input.FileHash;
  * The contents of a map file.
  *
  * @param features outlines of buildings and parts of buildings, in the order of the file
- * @param model buildings with their walls and roofs instead, from a city model
+ * @param model instead of outlines, the buildings of a city model with their walls and roofs
  * @param land land cover, if it was requested
  * @param leftOut features that could not be used, and their number, in words
  * @param format format of the file, in words

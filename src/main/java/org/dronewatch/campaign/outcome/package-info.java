@@ -1,2 +1,2 @@
-/** The outcomes of the cases of a campaign, the summary of each variant, and when there are enough. */
+/** The outcomes of a campaign's cases, the summary of each variant, and the rule for when there are enough cases. */
 package org.dronewatch.campaign.outcome;

@@ -54,7 +54,7 @@ public final class SilhouetteTable {
      * @param azimuth azimuth of the line of sight, from the camera to the drone, relative to the drone's nose,
      *     clockwise, rad
      * @param elevation elevation of the line of sight above the horizon, -pi/2 to pi/2, rad
-     * @param pixels number of pixels of the picture that the mask may save
+     * @param pixels size of the picture whose rendering the mask may replace, pixels
      * @return null until a mask for this direction would have replaced the rendering of several pictures, or of one
      *     large picture
      */

@@ -1,7 +1,7 @@
 package org.dronewatch.flight.file;
 
 /**
- * The speeds and the acceleration of a drone where its flight file states none.
+ * The speeds and the acceleration of a drone that apply where its flight file states none.
  *
  * @param cruise its speed, above 0, m/s
  * @param acceleration its largest acceleration along the path, above 0, m/s2

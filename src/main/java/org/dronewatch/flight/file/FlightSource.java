@@ -18,7 +18,7 @@ public interface FlightSource {
      * The flight over a site.
      *
      * @param places places of the site; queried only before this method returns
-     * @param drone the speeds and the acceleration of the drone where the file states none
+     * @param drone the speeds and the acceleration of the drone, which apply where the file states none
      * @param warnings receives a line for each item that is not flown as the file states
      * @throws IllegalArgumentException when a place in the file has no position on this site; the message names it
      */

@@ -82,7 +82,7 @@ final class MissionCommands {
         return STILL.containsKey(command);
     }
 
-    /** A command's number with its name, as far as it is known. */
+    /** A command's number, with its name if that is known. */
     static String inWords(int command) {
         String name = STILL.getOrDefault(command, OTHERS.getOrDefault(command, ""));
         return name.isEmpty() ? "command " + command : name + " (" + command + ")";

@@ -38,7 +38,7 @@ final class PlanSampling {
      * A waypoint.
      *
      * @param at m
-     * @param speed the greatest on the way there, m/s
+     * @param speed the greatest speed on the leg to it, m/s
      * @param hold how long the drone waits there, s
      */
     record Waypoint(Position at, double speed, double hold) {}

@@ -20,7 +20,7 @@ import tools.jackson.databind.node.ObjectNode;
  * position, which is on the surface below the start.
  */
 public final class PlanWriter {
-    /** The first line of every file written by this class. */
+    /** Matches the beginning of the first line of every file written by this class. */
     public static final Pattern FIRST_LINE =
             Pattern.compile(Pattern.quote("{\"fileType\": \"Plan\", \"groundStation\": \"dronewatch\","));
 
@@ -86,7 +86,7 @@ public final class PlanWriter {
     /**
      * Writes a flight.
      *
-     * @param until its end, above 0, s
+     * @param until time at which it ends, above 0, s
      */
     public Written write(FlightPath path, double until) {
         PlanSampling.Waypoints found = new PlanSampling(path, until).waypoints();

@@ -6,8 +6,8 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A point in the coordinates of a model file, in its unit and along its axes. Unlike a position, it may be as far away
- * as the origin of a national grid, even in millimetres.
+ * A point in the coordinates of a model file, in its unit and along its axes. Unlike those of a position, its
+ * coordinates may be as large as those of a national grid, even in millimetres.
  *
  * @param x first coordinate in the file, -1e10 to 1e10 of its units
  * @param y second coordinate in the file, -1e10 to 1e10 of its units

@@ -71,7 +71,7 @@ public final class ModelFile {
      * Finds a model.
      *
      * @param directory directory against which relative paths are resolved, that of a scene file or empty for the
-     *     working directory; links do not lead out of that of a scene file
+     *     working directory; symbolic links may not lead out of the directory of a scene file
      * @param file a path, or a packaged name
      * @throws InputException if there is no such file, or it is larger than {@link #MAX_BYTES}
      */

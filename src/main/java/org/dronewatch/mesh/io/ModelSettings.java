@@ -28,8 +28,8 @@ import org.dronewatch.setting.SettingsForm;
  *     {@code crs}, the point at which the coordinates of the grid are zero, which matters only if the file's
  *     coordinates are shifted: (-155000, -463000, 0) if 155,000 and 463,000 were subtracted from them
  * @param position position of the model's origin, m; with a {@code crs}, a correction of the model's position
- * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which states the
- *     direction of north
+ * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which determines
+ *     the direction of north
  * @param role its role on the site, by which reports classify the obstacles that hide drones; heights in the wind
  *     profile are measured from models whose role is terrain, if there are any; it has no effect on a drone's model
  */
@@ -72,8 +72,8 @@ public record ModelSettings(
     }
 
     /**
-     * A y-up file in metres, at the origin, as most OBJ files are; a building unless it is the packaged hill, which is
-     * terrain.
+     * A file with y up and in metres, like most OBJ files, placed at the origin; a building unless it is the packaged
+     * hill, which is terrain.
      */
     @Defaults("file")
     public static ModelSettings of(String file) {

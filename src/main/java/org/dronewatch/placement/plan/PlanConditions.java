@@ -29,7 +29,7 @@ public final class PlanConditions {
     }
 
     /**
-     * What to say if no layout complies.
+     * The exception for the case that no layout complies.
      *
      * @param remaining what must remain after a loss, in words; empty if nothing must
      */

@@ -1,5 +1,5 @@
 /**
- * What a file of a placement asks for: objective, offers and conditions, and the candidates that follow from them
- * on the site.
+ * What a placement file asks for: objective, offers and conditions, and the candidates that follow from them on the
+ * site.
  */
 package org.dronewatch.placement.plan;

@@ -30,7 +30,7 @@ import org.dronewatch.setting.Quantity;
  * thread-safe.
  */
 public final class RouteLayouts {
-    /** The greatest number of times that layouts are compared again because flights have shown other routes. */
+    /** The greatest number of times that layouts are compared again because flights have revealed further routes. */
     public static final int MOST_COMPARED = 20;
 
     private final PlacePlan plan;

@@ -66,7 +66,8 @@ public record RoutePlacement(
 
     /**
      * The weakest routes past all affordable candidates together, from each direction under each condition, the weakest
-     * of all first: no layout closes a gap that they leave. Empty if the value of the layout is above 0.
+     * of all first: no layout can close the gaps that these candidates leave. Empty if the value of the layout is above
+     * 0.
      */
     public List<DirectedRoute> remaining() {
         return parts.remaining();
@@ -84,7 +85,8 @@ public record RoutePlacement(
 
     /**
      * The names of the sensors whose loss is worst, by the value that remains without each of them: several if these
-     * values are equal, as are all from {@link WeakestRouteSearch#ENOUGH} on. Empty if they were not computed.
+     * values are equal; all values of {@link WeakestRouteSearch#ENOUGH} or more count as equal. Empty if these values
+     * were not computed.
      */
     public List<String> worstLosses() {
         double least = withoutEach().values().stream()
@@ -137,7 +139,9 @@ public record RoutePlacement(
                 complete);
     }
 
-    /** Whether this states the figures of its parts and of the scene's own sensors, as far as there are any. */
+    /**
+     * Whether this states the figures of its parts and of the scene's own sensors; also true if there are no sensors.
+     */
     public boolean isWithParts() {
         boolean isBare =
                 result.chosen().isEmpty() && plan.present().enabledSensors().isEmpty();

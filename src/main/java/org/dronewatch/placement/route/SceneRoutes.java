@@ -44,7 +44,7 @@ final class SceneRoutes {
     /** Of any layout: which part of a route counts does not depend on the sensors. */
     private Optional<SiteRoutes> site = Optional.empty();
 
-    /** A route with the exposure to each sensor by its name, as far as it counts. */
+    /** A route with the exposure, on the part that counts, to each sensor by its name. */
     private record KnownRoute(DirectedRoute route, Map<String, Double> exposures) {
         double exposure(Collection<String> names) {
             return names.stream().mapToDouble(exposures::get).sum();

@@ -20,7 +20,7 @@ public final class BuyingOrder {
      *
      * @param price of a sensor
      * @param value of some of the sensors, with those that are kept
-     * @param otherwise what counts in a tie, for some of the sensors; greater is better
+     * @param otherwise a second value of some of the sensors, which decides a tie; greater is better
      */
     public BuyingOrder(
             ToDoubleFunction<Integer> price,

@@ -19,8 +19,8 @@ public interface CheaperLayouts<L extends PlacedLayout> {
     Optional<L> within(double budget, SolverLimits limits);
 
     /**
-     * A layout with another bound, in the values of its result. A bound that is worse than the value of the layout is
-     * replaced by that value.
+     * A layout with another bound, in the unit of the values of its result. A bound that is worse than the value of the
+     * layout is replaced by that value.
      */
     L bounded(L layout, double bound);
 

@@ -152,8 +152,8 @@ public final class CoveredCells {
     }
 
     /**
-     * By row: its weight; the sum of each condition is the number of rows of the scene as it is, however much its zones
-     * weigh.
+     * By row: its weight; the sum for each condition is the number of rows of the scene as it is, however much its
+     * zones weigh.
      *
      * @throws InputException when nothing has a weight
      */
@@ -177,7 +177,7 @@ public final class CoveredCells {
         return weights;
     }
 
-    /** The rows of each zone that has a weight and of all other cells, as far as there are any. */
+    /** The rows of each zone that has a weight and of all other cells, except those without rows. */
     List<ZoneRows> zones() {
         List<ZoneRows> all = new ArrayList<>();
         int[] cells = cells();

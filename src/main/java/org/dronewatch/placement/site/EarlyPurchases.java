@@ -9,7 +9,7 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
- * The largest number of first purchases, fewer than all, that do not yet comply with the conditions.
+ * The largest number of purchases, fewer than all, after which the layout does not yet comply with the conditions.
  *
  * @param count number of purchases, 1 or more
  * @param afterLoss the value that remains after the worst loss, in the unit of the objective; empty unless it is too

@@ -36,7 +36,10 @@ public final class Layout {
         return SettingsForm.with(scene, Map.of("sensors", all, "disabled", others));
     }
 
-    /** The scene of a plan with only the sensors of a layout: it is consistent even if that scene needs others. */
+    /**
+     * The scene of a plan with only the sensors of a layout: it is consistent even if sensors of that scene refer to
+     * others.
+     */
     public static SceneSettings alone(PlacePlan plan, List<SiteCandidate> chosen) {
         return alone(plan.present(), sensors(chosen));
     }

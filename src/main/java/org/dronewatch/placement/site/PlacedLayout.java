@@ -20,7 +20,7 @@ public interface PlacedLayout {
     /** The cells in which candidates were assessed. */
     FieldGrid grid();
 
-    /** The result of the search, in the values of its problem. */
+    /** The result of the search, whose values are in the unit of its problem. */
     PlacementResult result();
 
     /** The scene's own sensors; empty if it has none, or if the search was interrupted before they were assessed. */

@@ -30,7 +30,7 @@ import org.dronewatch.placement.plan.WarningMeasure;
  * @param longest the longest warning that can be found, that of a flight detected where it begins, s
  * @param problem the problem, with a row for each flight under each condition; for the worst warning, its values are
  *     the amounts by which warnings are shorter than the longest
- * @param result result of the search, in the values of the problem
+ * @param result result of the search, in the unit of the values of the problem
  * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
  *     before they were assessed

@@ -59,7 +59,7 @@ public final class Flights {
         return new DroneMark(drone, flown, toCome, detected);
     }
 
-    /** The box around all sensors and all flights as far as they are known, with a margin. */
+    /** The box around all sensors and the parts of all flights known so far, with a margin, m. */
     public synchronized AABB interest(SceneSettings settings) {
         sample();
         if (boxed != sampled) {

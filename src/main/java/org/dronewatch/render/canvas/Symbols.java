@@ -47,7 +47,7 @@ public final class Symbols {
     private final double[] view = new double[3];
 
     private record Name(double x, double y, List<String> ids, boolean hidden, boolean selected) {
-        /** A line for each; of many only the first. */
+        /** A line for each name; if there are many, only the first ones, and the number of the others. */
         List<String> lines() {
             if (ids.size() <= MOST_NAMES) {
                 return ids;
@@ -62,8 +62,8 @@ public final class Symbols {
      * Symbols in one picture.
      *
      * @param sight determines what is hidden
-     * @param toPicture pixels of the picture for one of the camera's
-     * @param scale pixels of the picture for one of a screen of normal density
+     * @param toPicture pixels of the picture per pixel of the camera's image
+     * @param scale pixels of the picture per pixel of a screen of normal density
      */
     public Symbols(Graphics2D g, CameraObject camera, LinePainter sight, double toPicture, double scale) {
         this.g = g;

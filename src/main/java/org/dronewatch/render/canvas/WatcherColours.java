@@ -7,7 +7,7 @@ import java.util.Map;
 
 /** The colours of the parts of flights, by the sensors that detect the drone there, in the order of occurrence. */
 public final class WatcherColours {
-    /** Where no sensor detects the drone; such parts are also dashed. */
+    /** The colour of parts where no sensor detects the drone; such parts are also dashed. */
     public static final Color NOBODY = new Color(0x20262e);
 
     private static final int MOST_NAMES = 3;
@@ -40,7 +40,7 @@ public final class WatcherColours {
         return colours.get(stretch.sensors());
     }
 
-    /** The meaning of each colour; combinations of sensors beyond the number of colours share a line. */
+    /** The meaning of each colour; combinations of sensors beyond the number of colours share an entry. */
     public Map<String, Color> legend() {
         Map<String, Color> lines = new LinkedHashMap<>();
         colours.forEach((sensors, colour) -> lines.putIfAbsent(

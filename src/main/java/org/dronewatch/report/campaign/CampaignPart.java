@@ -11,7 +11,7 @@ import org.dronewatch.campaign.outcome.Cases;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
-/** The results of a part of a campaign, in a directory that is only read. */
+/** The results of a part of a campaign, in a directory that is read but never written to. */
 public final class CampaignPart {
     private final CampaignPlan plan;
     private final Path directory;

@@ -18,7 +18,10 @@ import org.dronewatch.report.html.Page;
 import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.setting.Counted;
 
-/** A campaign for decision-makers: which variant is better, how certain that is, from where, and the worst cases. */
+/**
+ * A campaign for decision-makers: which variant is better, how certain that is, against attacks from which directions,
+ * and the worst cases.
+ */
 final class CampaignReport {
     static final String NAME = "report.html";
 
@@ -111,7 +114,7 @@ final class CampaignReport {
         return worst.inWords(variant, "The worst case" + (isAlone ? "" : " of " + variant));
     }
 
-    /** What in time means; empty where that does not matter. */
+    /** What 'in time' means; empty where that does not matter. */
     private String response() {
         List<Double> responses = plan.variants().stream()
                 .map(name -> plan.shared(name).alert().response())

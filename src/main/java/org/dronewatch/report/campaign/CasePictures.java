@@ -22,7 +22,9 @@ import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.RunResult;
 
-/** Pictures of single cases from above, in which the colour of a flight shows which sensors detect the drone there. */
+/**
+ * Pictures of individual cases from above, in which the colour of a flight shows which sensors detect the drone there.
+ */
 public final class CasePictures {
     private static final int WIDTH = 920;
     private static final int HEIGHT = 552;

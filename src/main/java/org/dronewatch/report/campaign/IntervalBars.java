@@ -30,7 +30,7 @@ final class IntervalBars {
     private record Bar(String words, double value, double low, double high, String colour) {}
 
     /**
-     * No bar yet.
+     * A drawing without bars yet.
      *
      * @param label what is shown, for those who cannot see it
      * @param most the end of the scale, above 0

@@ -34,7 +34,7 @@ final class PairWords {
                 .toList();
     }
 
-    /** The variants of which the outcome is known, the best first. */
+    /** The variants for which the outcome is known, the best first. */
     List<String> ranked() {
         return summary.variants().keySet().stream()
                 .filter(name -> proportion(name).isPresent())
@@ -71,12 +71,12 @@ final class PairWords {
                         : ". The 95 % confidence intervals of the probabilities are in parentheses.");
     }
 
-    /** Whether the best variant is better than the next; empty where there are no two. */
+    /** Whether the best variant is better than the next; empty if there are fewer than two. */
     Optional<String> verdict() {
         return best().map(pair -> verdict(pair, ranked().get(0), ranked().get(1)));
     }
 
-    /** The best variant and the next, compared; empty where there are no two. */
+    /** The best variant and the next, compared; empty if there are fewer than two. */
     Optional<VariantComparison> best() {
         List<String> ranked = ranked();
         return ranked.size() < 2

@@ -47,7 +47,7 @@ final class ShareWords {
         return withInterval(share, share.wilson(CampaignFile.CONFIDENCE));
     }
 
-    /** The same with a given interval. */
+    /** A proportion with a given interval, {@code 92.0 % (90.2 to 93.5)}. */
     static String withInterval(Proportion share, Proportion.Interval interval) {
         return String.format(
                 Locale.ROOT,
@@ -57,7 +57,11 @@ final class ShareWords {
                 PERCENT * interval.high());
     }
 
-    /** {@code +9.8 percentage points (+7.1 to +12.4)}; from the side of the second variant if it is turned. */
+    /**
+     * {@code +9.8 percentage points (+7.1 to +12.4)}.
+     *
+     * @param isTurned whether to subtract the first variant from the second instead
+     */
     static String difference(PairedDifference difference, boolean isTurned) {
         PairedDifference seen =
                 isTurned ? new PairedDifference(difference.onlyB(), difference.onlyA(), difference.of()) : difference;

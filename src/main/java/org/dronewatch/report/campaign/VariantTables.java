@@ -71,7 +71,7 @@ final class VariantTables {
         return String.format(Locale.ROOT, "%,d", number);
     }
 
-    /** The most demanding outcome over the direction from which the attacks come. */
+    /** How often the most demanding outcome occurs, by the direction from which the attacks come. */
     String rose() {
         List<Integer> seen = sectors();
         if (seen.size() < LEAST_SECTORS) {

@@ -21,7 +21,7 @@ record CellState(StateKind kind, Cause cause) implements Comparable<CellState> {
     /** A cell that is covered. */
     static final CellState COVERED = new CellState(StateKind.COVERED, Cause.DETECTED);
 
-    /** A cell in which a sensor detects the drone, but not as is asked for. */
+    /** A cell in which a sensor detects the drone, but too rarely or too late. */
     static final CellState TOO_RARELY = new CellState(StateKind.TOO_RARELY, Cause.DETECTED);
 
     /** A cell inside something solid. */

@@ -40,7 +40,7 @@ final class FieldPictures {
     /**
      * Maps of one site, whose ground is drawn on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
-     * @param inputs what the coverage was asked for
+     * @param inputs the inputs of the coverage
      * @param grid of the maps
      */
     FieldPictures(CoverageSite site, CoverageInputs inputs, FieldGrid grid) {

@@ -14,7 +14,7 @@ import org.dronewatch.setting.PlainText;
  *
  * @param cameras ids, in the order of the scene
  * @param samples each pixel is the mean of samples x samples rays
- * @param pictures number of pictures of all cameras in all runs
+ * @param pictures number of pictures that all cameras take in all runs
  * @param pixels number of pixels of all pictures
  */
 public record LabelPlan(List<String> cameras, int samples, long pictures, long pixels) {
@@ -35,7 +35,7 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
     }
 
     /**
-     * Plans the pictures of some cameras.
+     * Plans the pictures that some cameras take.
      *
      * @param option name of the list of cameras in messages, such as {@code --labels}
      * @param chosen ids of cameras

@@ -49,7 +49,7 @@ final class LabelledCamera {
         return picture.camera();
     }
 
-    /** Index of the look that a frame is; negative when the camera does not look then. Queried once for each frame. */
+    /** Index of the look at the time of a frame; negative if there is none. Queried once for each frame. */
     long look(Frame frame) {
         // This is computed as in a run, with the same numbers.
         if (Double.compare(nextLook / sensor.rate(), frame.time()) != 0) {
@@ -62,12 +62,12 @@ final class LabelledCamera {
         return nextLook++;
     }
 
-    /** The pixels of each drone in a frame, in its order. */
+    /** The pixels of each drone in a frame, in the order of the frame. */
     List<DronePixels> hits(Frame frame) {
         return picture.pixels(stage.world(), frame.drones());
     }
 
-    /** What it photographs in a frame. */
+    /** The photograph that the camera takes in a frame. */
     BufferedImage photo(Frame frame) {
         return colours.picture(frame.drones());
     }

@@ -16,6 +16,6 @@ interface DrawnFeatures {
     /** The titles of the folders, in their order. */
     List<String> folders();
 
-    /** Whether heights above the sea are known, so that features can be drawn where they are in the air. */
+    /** Whether heights above the sea are known, so that features in the air can be drawn at their heights. */
     boolean isInSpace();
 }

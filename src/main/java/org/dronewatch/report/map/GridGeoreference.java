@@ -12,8 +12,8 @@ import org.dronewatch.geometry.Position;
  * less than 0.3 m, those of 100 km by less than half of the smallest possible cell.
  *
  * @param crs the system of the coordinates
- * @param matrix from column and row, counted from the north-western corner, to the coordinates: those of the column,
- *     the row and the corner for x, and the same for y, m
+ * @param matrix transforms column and row, counted from the north-western corner, to the coordinates: for x, the change
+ *     per column, the change per row and the value at the corner, and then the same three for y, m
  */
 @SuppressWarnings("ArrayRecordComponent")
 record GridGeoreference(CoordinateReferenceSystem crs, double[] matrix) {

@@ -17,9 +17,9 @@ import javax.xml.stream.XMLStreamException;
 import org.dronewatch.geo.GeoPoint;
 
 /**
- * A map as KML 2.2 (OGC 07-147r2). KML only knows heights above the sea and above its own ground: where that of the
- * scene's origin is not known, everything but buildings is drawn on the ground, else sensors, drones and flights are
- * where they are in the air.
+ * A map as KML 2.2 (OGC 07-147r2). KML supports only heights above the sea and above its viewer's own ground. If the
+ * height of the scene's origin is not known, points and lines are clamped to the ground; otherwise sensors, drones and
+ * flights are drawn at their heights.
  */
 final class Kml {
     private static final String NAMESPACE = "http://www.opengis.net/kml/2.2";

@@ -89,7 +89,7 @@ final class MapContent implements DrawnFeatures {
                         + " the altitude of the origin is unknown.";
     }
 
-    /** Whether heights are those above the sea, so that things can be drawn where they are in the air. */
+    /** Whether heights are those above the sea, so that features in the air can be drawn at their heights. */
     @Override
     public boolean isInSpace() {
         return origin.height().isPresent();

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.geo.GeoPoint;
 
 /**
- * The properties of a feature, by name, in the order in which it was put: texts, numbers, truth values, and null for
+ * The properties of a feature, by name, in the order in which they were put: texts, numbers, truth values, and null for
  * missing values.
  */
 final class Properties {

@@ -70,7 +70,7 @@ final class CoverageSentences {
                 .orElse("");
     }
 
-    /** The height at which the layout covers the smallest fraction; the lowest among equals. */
+    /** The height at which the layout covers the smallest fraction; the lowest of several that are equal. */
     static HeightSummary leastCovered(LayoutFields fields) {
         return fields.layout().heights().stream()
                 .min(Comparator.comparingDouble(

@@ -64,7 +64,7 @@ final class FieldsTable {
         return fold > 1 ? " by one sensor or more" : "";
     }
 
-    /** How the table counts otherwise than the search that chose the layout, in sentences. */
+    /** How the table counts differently from the search that chose the layout, in sentences. */
     static List<String> differences(SitePlacement layout) {
         List<String> sentences = new ArrayList<>();
         int fold = layout.plan().settings().conditions().fold();

@@ -46,7 +46,7 @@ public record FlownLayout(RouteInputs inputs, RouteResults results) {
     /**
      * Why the search misjudges a route, in a clause; an empty text if it does not.
      *
-     * @param before what comes before the clause, in which the search is called {@code it}
+     * @param before the text before the clause, which refers to the search as {@code it}
      */
     String because(SectorRoute route, String before) {
         return RouteTable.misjudgement(route, results, inputs)

@@ -33,7 +33,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         }
     }
 
-    /** The weakest route as flown, if the drone is less likely to be detected there, in print, than promised. */
+    /** The weakest route as flown, if the probability of a detection, as printed, is lower there than promised. */
     Optional<SectorRoute> broken() {
         return layout.flatMap(flown -> flown.weakest()
                 .filter(route -> flown.inTime(route) < detection())
@@ -100,7 +100,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         });
     }
 
-    /** The sensors whose losses are, in print, as bad as the worst. */
+    /** The sensors whose losses are, as printed, as bad as the worst. */
     private static List<String> alike(List<Loss> all, Loss worst) {
         return all.stream()
                 .filter(one -> FrontWords.percent(one.inTime()).equals(FrontWords.percent(worst.inTime())))

@@ -116,7 +116,9 @@ final class FlownTable {
                 + "' gives the figures of the layout" + asItIs() + ", and a scene for each route.");
     }
 
-    /** That a route of another layout is weaker than all that were found past this one; empty if none is, in print. */
+    /**
+     * That a route of another layout is weaker than all that were found past this one; empty if, as printed, none is.
+     */
     private Optional<String> weaker() {
         String known = RouteSentences.exposure(best.asItIs());
         return layout.flatMap(flown -> flown.results().leastExposed())

@@ -56,7 +56,7 @@ public interface PlaceMeasure {
     /**
      * Where a layout gains most over another: {@code adds most in the west at 30 m (56.5 % before, 93.3 % now)}.
      *
-     * @param isFirst whether there is no other layout but the sensors that are kept
+     * @param isFirst whether the layout is the cheapest, which is compared with the kept sensors alone
      */
     String gained(SectorGain gain, boolean isFirst);
 }

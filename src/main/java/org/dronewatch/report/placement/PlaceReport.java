@@ -201,7 +201,7 @@ final class PlaceReport {
                         .collect(Collectors.joining());
     }
 
-    /** Those of the pictures whose file has such a name, with their captions. */
+    /** Those of the pictures whose file name is to be shown, with their captions. */
     static String figures(Map<String, Figure> pictures, Predicate<String> isShown) {
         return pictures.entrySet().stream()
                 .filter(picture -> isShown.test(picture.getKey()))
@@ -210,7 +210,7 @@ final class PlaceReport {
                 .collect(Collectors.joining());
     }
 
-    /** How the drone flies, and where sensors on positioners point, where it flies level. */
+    /** How the drone flies, and where sensors on positioners point, if it flies level. */
     static String flight(PlacePlan plan) {
         return "Only the drone '" + plan.drone() + "' flies, level and at its cruise speed; sensors on positioners "
                 + (plan.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it.");

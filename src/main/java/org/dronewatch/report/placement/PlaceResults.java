@@ -30,7 +30,7 @@ public interface PlaceResults {
      */
     PlaceResults without(LeftOut part, SolverLimits limits);
 
-    /** Whether nothing that was asked for was left out, because of an interruption or a limit. */
+    /** Whether everything that was asked for is there: nothing is missing because of an interruption or a limit. */
     default boolean complete() {
         return front().complete() && !isInterrupted();
     }

@@ -180,7 +180,7 @@ final class PlaceTable {
         return present("The scene's own ");
     }
 
-    /** The same, with other words for whose sensors they are. */
+    /** What the scene's own sensors achieve, in a sentence that begins with the given words for whose they are. */
     Optional<String> present(String whose) {
         return layout.present()
                 .map(own ->

@@ -61,7 +61,7 @@ final class SameCoverage {
         return exact(Math.abs(coordinate) < NOTHING ? 0.0 : coordinate);
     }
 
-    /** All digits that are needed for the same number. */
+    /** A number with all digits that are needed to read it back exactly. */
     static String exact(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e15
                 ? String.format(Locale.ROOT, "%d", (long) value)

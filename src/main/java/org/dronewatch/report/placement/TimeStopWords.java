@@ -51,7 +51,7 @@ final class TimeStopWords {
         };
     }
 
-    /** Adds the same as figures. */
+    /** Adds what a time limit has stopped, as figures. */
     static void add(ObjectNode root, TimeStop stop) {
         ObjectNode stopped = root.putObject("stopped");
         stopped.put("time_limit_s", Numbers.rounded(stop.seconds()));

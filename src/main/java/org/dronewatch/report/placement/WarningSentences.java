@@ -29,7 +29,7 @@ final class WarningSentences {
                 + " " + detected();
     }
 
-    /** That the tables count otherwise than the search that chose the layout, in a sentence; empty if they do not. */
+    /** That the tables count differently from the search that chose the layout, in a sentence; empty if they do not. */
     Optional<String> difference() {
         return fold() > 1
                 ? Optional.of("In the tables of warnings, a warning begins when the first sensor detects the drone; the"

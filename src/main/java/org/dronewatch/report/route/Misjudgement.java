@@ -14,7 +14,7 @@ enum Misjudgement {
 
     /**
      * A slow sensor may look before the drone comes into sight, or after it has gone: fewer flights are detected than
-     * by looks at any moment, never more.
+     * would be by looks at any moment, never more.
      */
     SCANS,
 
@@ -22,8 +22,8 @@ enum Misjudgement {
     BOTH;
 
     /**
-     * On detections that count: on those that are early enough for a response, if one is required, since where a
-     * detection would come too late, the search only looks for the fastest route.
+     * Why the search misjudges the detections that count: those that are early enough for a response, if one is
+     * required, since where a detection would come too late, the search only looks for the fastest route.
      *
      * @param response time that the response takes, s; 0 if none is required
      * @return empty if the probabilities differ by 20 percentage points at most, or if the looks along the route have
@@ -38,7 +38,7 @@ enum Misjudgement {
     }
 
     /**
-     * Only on detections that come too late for a response.
+     * Why the search misjudges the detections that come too late for a response, if it misjudges no others.
      *
      * @param response time that the response takes, s; 0 if none is required, so that no detection comes too late
      * @return empty if the search misjudges detections {@linkplain #inTime in time}, or if the probabilities of any

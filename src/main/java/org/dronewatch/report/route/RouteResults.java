@@ -20,7 +20,7 @@ import org.dronewatch.route.search.TimeToGo;
  * @param survey the weakest routes
  * @param found all routes that the search has found, including those of repeated searches that are not among the
  *     weakest as flown, and those that they replaced
- * @param between whether the cells of the search are small enough: what was found between their centres
+ * @param between what was found between the centres of the cells: whether the cells of the search are small enough
  * @param times the shortest times to the end of a route
  * @param proofs by sector, how often flights along its route are detected; empty if no proof was requested
  * @param isComplete whether everything that was requested was completed

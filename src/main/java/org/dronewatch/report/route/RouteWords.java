@@ -122,7 +122,7 @@ final class RouteWords {
         return sector(route.sector());
     }
 
-    /** The same by the number of the sector. */
+    /** A sector by its number, such as {@code north-west}. */
     static String sector(int number) {
         return CompassPoint.of(SectorRoute.bearing(number));
     }

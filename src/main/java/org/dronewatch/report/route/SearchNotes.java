@@ -136,8 +136,8 @@ final class SearchNotes {
     }
 
     /**
-     * From which sectors less detected routes may exist, which smaller cells may show; empty if there are none
-     * besides those of which a warning says so.
+     * From which sectors less detected routes may exist, which smaller cells may show; empty if there are none besides
+     * those for which a warning already says so.
      */
     Optional<String> unproven(RouteSurvey survey) {
         double response = survey.response();

@@ -16,7 +16,7 @@ final class SlowLooks {
 
     private final Map<String, SensorSettings<?>> sensors;
 
-    /** Of these sensors, by name, in the order of the scene. */
+    /** The slow ones among these sensors, given by name in the order of the scene. */
     SlowLooks(Map<String, SensorSettings<?>> sensors) {
         this.sensors = sensors;
     }

@@ -23,7 +23,7 @@ public final class ColourMix {
         return of(below, above.getRGB(), share);
     }
 
-    /** The same for two pixels. */
+    /** A pixel mixed with another that lies over it: red, green and blue in the lowest 24 bits. */
     static int of(int below, int above, double share) {
         return part(below, above, share, 16) | part(below, above, share, 8) | part(below, above, share, 0);
     }

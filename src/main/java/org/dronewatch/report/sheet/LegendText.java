@@ -25,9 +25,9 @@ public final class LegendText {
     /**
      * Draws a text in as many lines as it needs.
      *
-     * @param top height of the first line
+     * @param top y coordinate of the first line, pixels
      * @param most width of a line in pixels
-     * @return the height of the last line
+     * @return the y coordinate of the last line, pixels
      */
     static int draw(Graphics2D g, String text, int x, int top, int most) {
         FontMetrics metrics = g.getFontMetrics();

@@ -270,7 +270,7 @@ public final class MapSheet {
         write(text, left + SWATCH_WIDTH + 12);
     }
 
-    /** The colour of a pixel, from the top left. */
+    /** The colour of a pixel; columns and rows are counted from the top left. */
     public Color colour(int column, int row) {
         return new Color(image.getRGB(column, row));
     }

@@ -25,14 +25,19 @@ public final class ProtectedOutlines {
         return outlines;
     }
 
-    /** The corners of a circle, m. */
+    /** The corners of a polygon that approximates a circle in plan view, m. */
     public static List<Position> circle(Position middle, double radius) {
         return IntStream.range(0, CIRCLE)
                 .mapToObj(i -> around(middle, 2.0 * Math.PI * i / CIRCLE, radius))
                 .toList();
     }
 
-    /** A point in a direction from another, m. */
+    /**
+     * A point at a distance from another, in plan view, m.
+     *
+     * @param bearing clockwise from north, rad
+     * @param distance m
+     */
     public static Position around(Position middle, double bearing, double distance) {
         return middle.plus(new Position(distance * Math.sin(bearing), distance * Math.cos(bearing), 0.0));
     }

@@ -2,7 +2,7 @@ package org.dronewatch.report.sheet;
 
 import java.awt.Color;
 
-/** A colour that is laid over others with constant opacity, mixed in advance: for pictures that move. */
+/** A colour that is laid over others with constant opacity, mixed in advance: for animated pictures. */
 public final class Tint {
     private static final int LEVELS = 256;
 

@@ -1,2 +1,2 @@
-/** A map on paper: its frame with coordinates, its relief, its legend and its colours, whatever is on it. */
+/** A map sheet: its scale bar and north arrow, its relief, its legend and its colours, whatever it shows. */
 package org.dronewatch.report.sheet;

@@ -16,7 +16,7 @@ record BegunFlight(SceneSettings settings, World world, LookSchedule schedule) {
         return 1.0 - schedule.missed(settings.run().duration(), wait);
     }
 
-    /** The same by one sensor, given by its number, as if it were the only one. */
+    /** The probability that one sensor, given by its number, detects the drone, as if it were the only one. */
     double detection(int sensor, MissedLooks.Wait wait) {
         return 1.0 - schedule.missed(sensor, settings.run().duration(), wait);
     }
@@ -30,8 +30,8 @@ record BegunFlight(SceneSettings settings, World world, LookSchedule schedule) {
     }
 
     /**
-     * The probability that an alert is raised at or before that moment, 0 to 1, where observers search for the drone
-     * while it waits.
+     * The probability that an alert is raised at or before the {@link #critical} moment, 0 to 1, if observers search
+     * for the drone while it waits.
      *
      * @throws java.util.NoSuchElementException if it cannot be computed ({@link AlertChances#isKnown})
      */

@@ -4,7 +4,7 @@ import org.dronewatch.fusion.Confirmation;
 
 /**
  * The probability that independent looks have not confirmed a contact yet, look by look: a Markov chain over the
- * outcomes of the last looks.
+ * outcomes of the most recent looks.
  */
 final class ConfirmedMisses {
     /** The greatest number of looks of a confirmation: with n looks there are 2^(n - 1) states. */

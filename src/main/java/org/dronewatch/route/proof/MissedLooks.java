@@ -28,7 +28,7 @@ final class MissedLooks {
     private MissedLooks() {}
 
     /**
-     * The probability that none of them does.
+     * The probability that none of the looks of a sensor detects the drone.
      *
      * @param looks in order of time
      */
@@ -38,7 +38,7 @@ final class MissedLooks {
     }
 
     /**
-     * For each look, the probability that neither it nor any before it does.
+     * For each look, the probability that neither it nor any before it detects the drone.
      *
      * @param looks in order of time
      * @param wait whether an observer sees the drone while it waits; no difference for other sensors
@@ -83,7 +83,7 @@ final class MissedLooks {
         return encounters.values();
     }
 
-    /** What such a look of an observer records, as far as the looks that follow depend on it. */
+    /** What a look of an observer records: only the part on which the looks that follow depend. */
     static Observation observation(ScheduledLook look, double threshold, SensorSettings<?> sensor) {
         Reading reading = new Reading(look.probability(), threshold, "");
         return new Observation(look.look().id(sensor.kind()), look.drone().id(), 0.0, reading)

@@ -21,13 +21,16 @@ public record ProvenChance(double predicted, double error, Proportion flown) {
         return flown.wilson(CONFIDENCE);
     }
 
-    /** Whether the prediction lies in this interval. */
+    /** Whether the prediction lies in the Wilson {@linkplain #interval interval} of the runs. */
     public boolean isInInterval() {
         return predicted >= interval().low() - ROUNDING
                 && predicted <= interval().high() + ROUNDING;
     }
 
-    /** Whether the prediction lies in this interval, or is {@linkplain #isPlausible plausible} with its confidence. */
+    /**
+     * Whether the prediction lies in the Wilson {@linkplain #interval interval} of the runs, or is
+     * {@linkplain #isPlausible plausible} with a confidence of 99 %.
+     */
     public boolean agrees() {
         return isInInterval() || isPlausible(CONFIDENCE);
     }

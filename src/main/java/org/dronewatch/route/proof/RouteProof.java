@@ -26,7 +26,7 @@ import org.dronewatch.statistics.Proportion;
  * @param alertInTime as {@code detection}, but for an alert at or before the last moment that leaves enough time for
  *     the scene's response, if flight and response take exactly as long as planned; empty if the scene has no response,
  *     or where the probability cannot be computed ({@link FlownRoute#interruption})
- * @param plain the number of these runs, evenly spread, that were repeated as plain runs
+ * @param plain the number of runs, evenly spread, that a {@link org.dronewatch.run.RunSession} repeated as plain runs
  * @param cued proportion of runs that detected the drone when the first of these runs were repeated with all cues;
  *     empty if none were repeated
  */
@@ -71,9 +71,9 @@ public record RouteProof(
     }
 
     /**
-     * How many runs with the same seeds, and the same moments at which the route begins, detect the drone with all
-     * cues: positioners follow what their own sensors see, and other sensors, or false alarms, cue them. Each is a
-     * plain run. Arguments as for {@link #of}.
+     * How many runs detect the drone with all cues: positioners follow what their own sensors see, and other sensors,
+     * or false alarms, cue them. The seeds, and the moments at which the route begins, are those of {@link #of}. Each
+     * run is a plain run, by a {@link org.dronewatch.run.RunSession}. Arguments as for {@link #of}.
      */
     public static Proportion withCues(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
         List<SceneSettings> begun = RouteStarts.of(scene.enabledSensors().values()).stream()

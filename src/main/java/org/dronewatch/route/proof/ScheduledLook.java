@@ -28,7 +28,7 @@ record ScheduledLook(int number, Look look, Drone drone, RayEstimate estimate, b
         return look.time();
     }
 
-    /** This look, estimated otherwise. */
+    /** This look with another estimate. */
     ScheduledLook with(RayEstimate other) {
         return new ScheduledLook(number, look, drone, other, counts);
     }

@@ -110,7 +110,7 @@ public final class EnduranceLimit {
                 new WeakestRoute(route.path(), route.exposure(), Math.min(lower, route.exposure()), route.seconds()));
     }
 
-    /** The search at a price; those of the last prices are kept, since all starts begin with the same ones. */
+    /** The search at a price; those of the most recent prices are kept, since all starts begin with the same ones. */
     private Priced at(double price) {
         Priced known = latest.get(price);
         if (known != null) {
@@ -152,7 +152,7 @@ public final class EnduranceLimit {
      * A path sped up to take no longer than allowed, as {@link #hastened}, but flown faster first where a detection
      * does not count, and only then elsewhere.
      *
-     * @param routes a search that knows what counts
+     * @param routes the search, which determines where a detection counts
      */
     public RoutePath hastenedAtTheEnd(WeakestRoutes routes, RoutePath path) {
         double excess = powered(path) - seconds;

@@ -63,7 +63,7 @@ public final class JoinedRoutes {
         }
     }
 
-    /** A way that joins a route at a corner nearby, and leads on along it, first along the part that counts. */
+    /** A path that joins a route at a corner nearby, and leads on along it, first along the part that counts. */
     private Optional<RoutePath> along(RoutePath way, RoutePath counted, WeakestRoute route) {
         return junction.best(way, counted, Double.POSITIVE_INFINITY)
                 .map(path -> search.whole(path, route.path().after(counted)));

@@ -37,7 +37,7 @@ final class RouteDetours {
     /**
      * Searches.
      *
-     * @param known routes, as far as their exposure counts
+     * @param known the parts of the known routes on which exposure counts
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     RouteDetours(RouteProblem problem, List<RoutePath> known) {

@@ -33,8 +33,8 @@ final class RouteJunction {
     /**
      * The least exposed path that begins as one does and ends as another.
      *
-     * @param own the path to improve, as far as its exposure counts
-     * @param other as far as its exposure counts
+     * @param own the path to improve, only the part on which exposure counts
+     * @param other the part of the other path on which exposure counts
      * @return empty if none is less exposed than the own path
      */
     Optional<RoutePath> best(RoutePath own, RoutePath other) {

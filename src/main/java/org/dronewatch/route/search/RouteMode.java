@@ -12,7 +12,7 @@ import org.dronewatch.route.exposure.LegMotion;
  * @param sink greatest rate of descent, above 0, m/s; may be infinite
  * @param steepest the greatest slope of the path, height gained over horizontal distance; negative for a glide,
  *     infinite for no limit
- * @param slowest the minimum speed along the path, 0 to the speed, m/s; 0 for a drone that can hover
+ * @param slowest the minimum speed along the path, 0 to {@code speed}, m/s; 0 for a drone that can hover
  */
 public record RouteMode(String name, double speed, double climb, double sink, double steepest, double slowest) {
     /** The name of flight under power below the cruise speed. */

@@ -232,7 +232,7 @@ public final class WeakestRoutes {
     }
 
     /**
-     * A route to the same goals that another search has found, with its exposure in this one.
+     * A route that another search has found to the same goals, with its exposure in this search.
      *
      * @param lower a lower bound on the exposure along all routes from the same starts
      */

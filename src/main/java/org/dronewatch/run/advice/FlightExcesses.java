@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
-/** Where a flight exceeds the limits of its drone most; it is examined at one time after the other. */
+/** Where a flight exceeds the limits of its drone most; it is examined at successive times. */
 final class FlightExcesses {
     /** Slower than this, a drone counts as hovering: its course is not defined, m/s. */
     private static final double SLOW = 0.5;

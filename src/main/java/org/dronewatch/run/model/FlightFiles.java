@@ -24,7 +24,7 @@ final class FlightFiles {
     private final Map<FlightFromFile, FlightSource> sources = new HashMap<>();
 
     /**
-     * No files yet.
+     * Begins without any files.
      *
      * @param directory directory against which relative paths are resolved
      * @param hashes receives the name and the hash of each file that is read

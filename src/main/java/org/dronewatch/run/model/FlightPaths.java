@@ -26,7 +26,7 @@ public final class FlightPaths {
     private final Map<DroneSettings, FlightPath> leaders = new HashMap<>();
 
     /**
-     * No paths yet.
+     * Begins without any paths.
      *
      * @param places of the site, with its ground
      * @param end of the run, s

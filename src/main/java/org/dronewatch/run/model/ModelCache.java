@@ -47,7 +47,7 @@ import org.dronewatch.world.WorldSettings;
 public final class ModelCache {
     private static final double NANO = 1e-9;
 
-    /** Where the site or a drone's model varies from run to run, only the last are kept: there may be a million. */
+    /** Where the site or a drone's model varies from run to run, only the latest are kept: there may be a million. */
     private static final int MOST_SITES = 64;
 
     private static final int MOST_WARNINGS = 10_000;

@@ -4,13 +4,13 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Function;
 
-/** Keeps the values that were used last, by their keys. Not thread-safe. */
+/** Keeps the most recently used values, by their keys. Not thread-safe. */
 final class Recent<K, V> {
     private final int most;
     private final Map<K, V> values = new LinkedHashMap<>(16, 0.75f, true);
 
     /**
-     * Nothing yet.
+     * Begins without any values.
      *
      * @param most how many values are kept
      */

@@ -28,9 +28,10 @@ import java.util.stream.Stream;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Keeps what took a long time to prepare in files of one directory, each named by the hash of everything that it
- * depends on. Files that cannot be read, or are damaged, are ignored; a failure to write one is reported only once.
- * Several processes may use the same directory: a file is written under another name, and then renamed.
+ * Keeps, in the files of one directory, what took a long time to prepare. Each file is named by the hash of everything
+ * that its contents depend on. Files that cannot be read, or are damaged, are ignored; a failure to write one is
+ * reported only once. Several processes may use the same directory: a file is written under another name, and then
+ * renamed.
  */
 public final class SiteStore {
     /** The end of the names of its files. */

@@ -20,7 +20,7 @@ public record StorePlace(Optional<Path> directory) {
     /** The system property that names the directory, or turns the store off. */
     public static final String PROPERTY = "dronewatch.cache";
 
-    /** The environment variable with the same meaning. */
+    /** The environment variable that names the directory, or turns the store off, unless the property is set. */
     public static final String VARIABLE = "DRONEWATCH_CACHE";
 
     /** The value that turns the store off. */

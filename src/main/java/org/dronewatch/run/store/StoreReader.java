@@ -12,8 +12,8 @@ import java.util.zip.CRC32C;
 
 /**
  * Reads what {@link StoreWriter} wrote. Lengths are compared with what is left of the file before anything is
- * allocated, so that a damaged file takes no more memory than its own size. What was read must not be used before
- * {@link #finish} has compared the checksum.
+ * allocated, so that a damaged file takes no more memory than its own size. What was read must not be used before the
+ * store has compared the checksum at the end of the file.
  */
 public final class StoreReader {
     private static final int CHUNK = 1 << 20;

@@ -7,11 +7,11 @@ import java.util.Optional;
 import org.dronewatch.kdtree.TreeParts;
 
 /**
- * The trees that were used last in this process, for programs that set up the same site several times. They are kept
+ * The most recently used trees of this process, for programs that set up the same site several times. They are kept
  * only while there is memory to spare. Thread-safe.
  */
 final class TreeMemory {
-    /** That of this process. */
+    /** The memory that this process shares. */
     static final TreeMemory SHARED = new TreeMemory();
 
     private static final int MOST = 8;

@@ -1,2 +1,2 @@
-/** Sites that were prepared once, kept in files of the user's cache directory. */
+/** Sites that have been prepared, kept in files in the user's cache directory. */
 package org.dronewatch.run.store;

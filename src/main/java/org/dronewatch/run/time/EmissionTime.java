@@ -17,7 +17,7 @@ public final class EmissionTime {
      *
      * @param time when the signal arrives, s
      * @param speed speed of the signal, m/s
-     * @return seconds since the start of the run; empty when nothing since the start has arrived yet
+     * @return seconds since the start of the run; empty if no signal emitted since the start has arrived yet
      */
     public static OptionalDouble of(FlightPath path, Position sensor, double speed, double time) {
         if (isYetToCome(path, sensor, speed, time, 0.0)) {

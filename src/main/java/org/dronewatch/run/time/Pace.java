@@ -23,10 +23,10 @@ public interface Pace {
     void await(double time);
 
     /**
-     * Simulated time runs faster than the wall clock by this factor, from the first call on; a simulation that is
-     * slower than that does not wait.
+     * Simulated time runs at this multiple of wall-clock time, counted from the first call of {@link #await} in a run;
+     * a simulation that is slower than that does not wait.
      *
-     * @param factor 1 for real time; 0.001 to 1,000,000
+     * @param factor simulated time divided by wall-clock time: 1 for real time; 0.001 to 1,000,000
      */
     static Pace realTime(double factor) {
         if (!(factor >= SLOWEST && factor <= FASTEST)) {

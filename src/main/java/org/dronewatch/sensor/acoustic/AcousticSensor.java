@@ -37,8 +37,8 @@ import org.dronewatch.world.World;
 /**
  * A microphone that hears each drone separately. In the level model, its value is the highest received level: levels
  * are not divided among rays. In the energy model, it is the A-weighted sound pressure level, or the signal-to-noise
- * ratio of the best band, and the drones must be given in their state when the sound left them. Keeps scratch memory:
- * for use by one thread at a time.
+ * ratio of the best band, and the drones must be given as they were when the sound left them. Keeps scratch memory: for
+ * use by one thread at a time.
  *
  * <p>In the energy model, an assessment and a look with the same random numbers agree exactly; the probability is 0 or
  * 1. In the level model, a look traces its rays once; if the result depends on the random rays, the assessed

@@ -92,8 +92,8 @@ public record AcousticSettings(
 
     /**
      * A microphone that receives rays within 0.5 m, takes ten looks per second, and detects sound 15 dB above the
-     * background. Sound propagates by the {@linkplain LevelModel level model}, without spreading loss; for physical
-     * levels, choose the energy model by {@link #withPropagation}.
+     * background. Sound propagates according to the {@linkplain LevelModel level model}, without spreading loss; for
+     * physical levels, choose the energy model with {@link #withPropagation}.
      */
     @Defaults("position")
     public static AcousticSettings at(Position position) {

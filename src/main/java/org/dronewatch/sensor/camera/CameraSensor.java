@@ -33,7 +33,10 @@ import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.world.World;
 
-/** A camera for visible light. Keeps its last image, and scratch memory for drones: for use by one thread at a time. */
+/**
+ * A camera for visible light. Keeps its most recent image, and scratch memory for drones: for use by one thread at a
+ * time.
+ */
 public final class CameraSensor implements BoundingSensor {
     /** If there are fewer pixels than this, all are counted at once. */
     private static final int FEW_PIXELS = 256;

@@ -25,11 +25,11 @@ import org.dronewatch.world.Light;
  * finest detail that is resolved, as a fraction u of the finest that pixels can show, is reached where the contrast
  * after lens and air, {@code C M(u)}, falls to the contrast that the camera requires, {@code Ct / (1 - u)}
  * ({@link org.dronewatch.sensor.optics.ImageTransfer#resolved}); without blur, {@code u = 1 - Ct / C}. C is the drone's
- * contrast, reduced by air and rain (Koschmieder against the sky, Duntley against the ground). Ct is the least contrast
- * that the camera can detect; in poor light, where photons are few, it grows as the square root of the ratio of
- * {@code shotNoiseIlluminance} to the actual illuminance. b is the motion blur in pixels, along one of the two
- * dimensions of the image. The dependence on contrast is a straight line instead of a camera's measured curve of
- * minimum resolvable contrast.
+ * contrast, reduced by air and rain (Koschmieder against the sky, Duntley against the ground), and M is the modulation
+ * transfer of lens and air. Ct is the least contrast that the camera can detect; in poor light, where photons are few,
+ * it grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the motion
+ * blur in pixels, along one of the two dimensions of the image. The dependence on contrast is a straight line instead
+ * of a camera's measured curve of minimum resolvable contrast.
  *
  * @param task the task that the image must support
  * @param probability probability at and above which the task counts as accomplished, above 0 and below 1; not used with

@@ -13,7 +13,7 @@ import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
 /**
- * The pictures that a camera at rest takes of drones in a world. Caches the image of the last world, without its
+ * The pictures that a camera at rest takes of drones in a world. Caches the image of the most recent world, without its
  * drones, and keeps scratch memory for the drones: for use by one thread at a time.
  */
 public final class DronePicture {
@@ -151,8 +151,10 @@ public final class DronePicture {
     }
 
     /**
-     * Traces pixels of the drone until its bounds suffice or are exact; the heading is that of the last count.
+     * Traces pixels of a drone until the bounds suffice or are exact, at the heading of the most recent
+     * {@link PixelBounds#count}.
      *
+     * @param there the bounds, which are narrowed
      * @param enough the predicate passed to that count
      * @param isSufficient whether the bounds suffice as they are now
      * @return false where it is faster to draw a picture of the drone

@@ -72,7 +72,7 @@ public final class VisibleArea {
     }
 
     /**
-     * As {@link #of(Drone)}, or a smaller area if that is already sufficient.
+     * The area that {@link #of(Drone)} gives, or a smaller area if that is already sufficient, in pixels.
      *
      * @param enough whether an area is sufficient; if it is, every larger area must be as well
      */
@@ -81,7 +81,8 @@ public final class VisibleArea {
     }
 
     /**
-     * As {@link #of(Drone, DoublePredicate)}, but for a drone that nothing hides.
+     * The area of a drone that nothing hides, or a smaller area if that is already sufficient, in pixels; otherwise as
+     * {@link #of(Drone, DoublePredicate)}.
      *
      * @param silhouette decides the outcome of many rays; its bounds must be {@linkplain SilhouetteArea#isOf those} of
      *     the drone
@@ -90,7 +91,10 @@ public final class VisibleArea {
         return of(drone, true, enough, silhouette);
     }
 
-    /** As {@link #ofClear}, but for a drone that the site may hide in part. */
+    /**
+     * The area of a drone that the site may hide in part, or a smaller area if that is already sufficient, in pixels;
+     * parameters as for {@link #ofClear}.
+     */
     public double of(Drone drone, SilhouetteArea silhouette, DoublePredicate enough) {
         return of(drone, false, enough, silhouette);
     }
@@ -100,7 +104,7 @@ public final class VisibleArea {
         return inTheOpen(drone, NEVER);
     }
 
-    /** As {@link #inTheOpen(Drone)}, or a smaller area if that is already sufficient. */
+    /** The area that {@link #inTheOpen(Drone)} gives, or a smaller area if that is already sufficient, in pixels. */
     public double inTheOpen(Drone drone, DoublePredicate enough) {
         return of(drone, true, enough, null);
     }

@@ -9,8 +9,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Clutter, the echoes of ground and rain in the resolution cell of a drone, which is as wide as the beam and as deep as
- * the range resolution {@code c / (2 B)}. The residual clutter after the radar's filters is added to the noise.
+ * Clutter, the echoes of ground and rain in a drone's resolution cell, which is as wide as the beam and as deep as the
+ * range resolution {@code c / (2 B)}. The residual clutter after the radar's filters is added to the noise.
  *
  * @param ground backscatter of the site's surface
  * @param improvement improvement factor of the radar against ground clutter, 0 to 150 dB: increase in the

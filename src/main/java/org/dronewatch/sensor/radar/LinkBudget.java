@@ -41,9 +41,9 @@ public sealed interface LinkBudget {
     DoubleBinaryOperator echo(double frequency, int pulses);
 
     /**
-     * The lower of the gains of its antennas, dBi; empty if it is not stated. The beams of the antenna with the higher
-     * gain are narrower, and several of them fit into one of the other, so the lower gain determines the number of beam
-     * positions.
+     * The lower of the gains of the radar's antennas, dBi; empty if it is not stated. The beams of the antenna with the
+     * higher gain are narrower, and several of them fit into one of the other, so the lower gain determines the number
+     * of beam positions.
      */
     OptionalDouble lowerGain();
 
@@ -164,8 +164,8 @@ public sealed interface LinkBudget {
      * @param probability probability of detection, 0.1 to 0.99
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation fluctuation of that target
-     * @param gain gain of its antenna, -20 to 80 dBi; with {@code integrationTime}, it serves only to check that the
-     *     radar has time for its scan, since the stated range already accounts for it
+     * @param gain gain of the radar's antenna, -20 to 80 dBi; with {@code integrationTime}, it serves only to check
+     *     that the radar has time for its scan, since the stated range already accounts for it
      * @param integrationTime coherent integration time, 1e-9 to 10 s, for the same check: that of a pulse, or of a
      *     coherent burst that counts as one
      */

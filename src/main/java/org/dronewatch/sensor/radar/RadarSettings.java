@@ -362,8 +362,9 @@ public record RadarSettings(
     }
 
     /**
-     * {@inheritDoc} These concern a gain that the beam cannot have, and a scan that is too fast for its beams, as far
-     * as the budget states gain and integration time.
+     * {@inheritDoc} These concern a gain that the beam cannot have, a scan that is too fast for its beams, and a fixed
+     * threshold that does not give the range of the data sheet. Each is checked only if the budget states the values
+     * required.
      */
     @Override
     public List<String> advice() {

@@ -12,7 +12,7 @@ public sealed interface SurfaceReflectivity {
      * @param frequency carrier frequency, Hz
      * @param facing its visible area, projected onto a plane perpendicular to the line of sight, m2: the area times the
      *     sine of the grazing angle
-     * @param cell area of the part of the resolution cell in which some of it is visible, m2
+     * @param cell area of the part of the resolution cell in which some of the surface is visible, m2
      */
     double crossSection(double frequency, double facing, double cell);
 

@@ -4,6 +4,6 @@ import java.util.Optional;
 
 /** A sensor whose radio waves may be reflected by the ground. */
 public interface GroundReflecting {
-    /** The ground that reflects them; empty if their reflection is left out. */
+    /** The ground that reflects the sensor's radio waves; empty if their reflection is not modelled. */
     Optional<ReflectingGround> groundReflection();
 }

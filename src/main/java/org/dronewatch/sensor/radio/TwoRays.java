@@ -56,6 +56,10 @@ public final class TwoRays {
     /**
      * The field at one end relative to that in free space, dB, one way; 0 without a reflection.
      *
+     * @param from the sensor, m
+     * @param to the drone or the pilot, m
+     * @param frequency Hz
+     * @param isVertical whether the wave is polarised vertically, not horizontally
      * @param isWithinBeam whether the sensor's antenna looks in the direction of a vector
      */
     public double factor(

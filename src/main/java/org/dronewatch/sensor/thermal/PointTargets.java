@@ -12,7 +12,7 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * Detection, by a program, of drones that are no more than spots: in each frame, the program marks the pixels whose
- * signal exceeds t times the noise, and it reports a spot that was marked in several of the last frames. Noise is
+ * signal exceeds t times the noise, and it reports a spot that was marked in several of the latest frames. Noise is
  * normally distributed, and independent between pixels and between frames, so a frame marks a spot with the probability
  * {@code P1 = Phi(SNR - t)}, and at least M of N frames mark it with the probability
  * {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N - i)}.
@@ -25,7 +25,7 @@ import org.dronewatch.setting.SettingsForm;
  * </pre>
  *
  * <p>where Q is the tail of the normal distribution and g the number of pixels in which the program looks for the same
- * spot in another frame. A spot counts when it is confirmed for the first time: M - 1 of the N - 1 frames before had
+ * spot in another frame. A spot counts when it is confirmed for the first time: M - 1 of the N - 1 preceding frames had
  * marked it, and the frame before those had not. Two spots that share a mark count twice, so the number is an upper
  * bound if g is more than 1. Twice the frame rate causes twice as many false alarms, and so requires a higher
  * threshold.
@@ -37,8 +37,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param falseAlarmsPerHour accepted number of false alarms per hour that noise causes, 1e-6 to 1e9, which the camera
  *     also raises in a run unless {@code falseAlarms} gives the rate for all causes. The highest threshold that causes
  *     this number is used or, if there is none, the one that causes the most
- * @param hits M, number of the last N frames that must mark a spot, 1 to 50
- * @param frames N, number of the last frames considered, from hits to 50
+ * @param hits M, the minimum number of the latest N frames that must mark a spot, 1 to 50
+ * @param frames N, number of the latest frames that are considered, from hits to 50
  * @param gate g, number of pixels in which the spot is searched for in the next frame, 1 to 10,000: 9 for a drone that
  *     moves by at most one pixel per frame
  * @param frameRate frames that the program examines per second, above 0, Hz; at most 1000 per look

@@ -21,7 +21,7 @@ public final class Kinds {
     /**
      * An alternative form in which files may give values of a type.
      *
-     * @param parts the form as written
+     * @param parts record class with the components of the form as written
      * @param value converts it to the value; empty when that is unknown because of another mistake in the file. An
      *     {@link IllegalArgumentException} states the mistake in the form
      */
@@ -49,8 +49,8 @@ public final class Kinds {
         Set<String> names();
 
         /**
-         * The parts of the system of this name, by the suffixes of the names that they receive; none unless the name is
-         * that of a system.
+         * The parts of the system with this name, keyed by the suffix that each appends to the name of the entry in the
+         * file; none unless the name is that of a system.
          */
         default Map<String, Node.Mapping> partsOf(String name) {
             return Map.of();

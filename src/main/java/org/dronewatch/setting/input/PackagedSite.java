@@ -7,14 +7,14 @@ import org.dronewatch.setting.PlainText;
 
 /** Files of real places that are included in the library, by names such as {@code packaged:monaco-srtm.asc}. */
 public final class PackagedSite {
-    /** The prefix of such names. */
+    /** The prefix of the names of packaged files. */
     public static final String PREFIX = "packaged:";
 
     private static final String RESOURCES = "/sites/";
 
     private PackagedSite() {}
 
-    /** Whether a name refers to such a file, not to a file on disk. */
+    /** Whether a name refers to a packaged file, not to a file on disk. */
     public static boolean isNamed(String name) {
         return name.startsWith(PREFIX);
     }

@@ -11,8 +11,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads XML files named by the user, always in UTF-8: nothing is expanded, no other file is read, and the nesting depth
- * and the length of texts are bounded. Each instance reads one document.
+ * Reads XML files named by the user, always in UTF-8: no entity is expanded, no other file is read, and the nesting
+ * depth and the length of texts are bounded. Each instance reads one document.
  */
 public final class XmlText {
     private static final int MOST_DEPTH = 64;

@@ -1,2 +1,2 @@
-/** Files that are read: bounded in size and heap, known by their hash and kind, whatever their format. */
+/** Reading of files in any format: limits on their size and heap, their hashes, and the recognition of their kind. */
 package org.dronewatch.setting.input;

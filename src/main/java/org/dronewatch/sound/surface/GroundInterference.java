@@ -13,8 +13,9 @@ import org.dronewatch.sound.OctaveBands;
  * @param reflected length of the reflected path R2, m, R1 or more
  * @param sourceHeight height of the source above the plane of the ground, m, 0 or more
  * @param receiverHeight height of the receiver above it, m, 0 or more
- * @param unevenness standard deviation of the ground's height about the plane, m, 0 or more: the coherent fraction of
- *     the reflected wave is {@code exp(-2 (k s cos t)^2)}, with Rayleigh's roughness parameter {@code k s cos t}
+ * @param unevenness standard deviation s of the ground's height about the plane, m, 0 or more: the coherent fraction of
+ *     the reflected wave is {@code exp(-2 (k s cos t)^2)}, with Rayleigh's roughness parameter {@code k s cos t}, the
+ *     wavenumber k and the angle of incidence t
  * @param turbulence turbulence of the air
  */
 public record GroundInterference(

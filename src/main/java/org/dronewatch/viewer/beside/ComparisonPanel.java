@@ -117,7 +117,7 @@ public final class ComparisonPanel extends JPanel {
         }
     }
 
-    /** Sets the action for whenever another run is chosen, or showing it beside this one is switched on or off. */
+    /** Sets the action that runs whenever another run is chosen, or is shown or hidden beside this one. */
     public void onChange(Runnable target) {
         changed = target;
     }
@@ -168,7 +168,7 @@ public final class ComparisonPanel extends JPanel {
         }
     }
 
-    /** Compares the run that is shown with the chosen one at a time, s. */
+    /** Compares the run that is shown with the chosen one, both at the given time, s. */
     public void show(RecordedRun shown, double time) {
         Optional<OtherRun> other = chosen();
         beside.setEnabled(other.isPresent());

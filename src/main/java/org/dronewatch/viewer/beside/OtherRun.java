@@ -6,7 +6,7 @@ import org.dronewatch.viewer.run.RecordedRun;
  * A run with which the one that is shown can be compared.
  *
  * @param name under which users select it, such as {@code before the change}
- * @param run the run, as far as it has been simulated
+ * @param run the run, of which only the part simulated so far is recorded
  */
 public record OtherRun(String name, RecordedRun run) {
     /** The name of the run, as a list shows it. */

@@ -31,7 +31,10 @@ import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.part.Texts;
 import org.dronewatch.world.World;
 
-/** The inputs of a coverage, with the defaults of the command except for those of a {@link CoverageProposal}. */
+/**
+ * The inputs of a coverage, with the defaults of the {@code coverage} command, except that a {@link CoverageProposal}
+ * gives the side and the heights.
+ */
 public final class CoverageForm extends JPanel {
     private static final long serialVersionUID = 1L;
 

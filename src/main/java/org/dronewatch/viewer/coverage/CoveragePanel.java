@@ -206,7 +206,7 @@ public final class CoveragePanel extends JPanel {
         changed.run();
     }
 
-    /** Sets the action for when another coverage is shown. */
+    /** Sets the action that runs whenever another coverage is shown. */
     public void onShown(Runnable target) {
         changed = target;
     }
@@ -261,7 +261,7 @@ public final class CoveragePanel extends JPanel {
         return heights;
     }
 
-    /** The skin and what belongs to it, once there is one. */
+    /** The skin that is shown, with its coverage; empty until there is one. */
     public Optional<CoverageSkinning.Shown> shown() {
         return shown;
     }

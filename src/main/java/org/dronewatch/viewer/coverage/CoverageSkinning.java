@@ -13,7 +13,7 @@ import org.dronewatch.report.coverage.table.LossWords;
 import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.viewer.part.Latest;
 
-/** Makes skins of a coverage on a thread: at a height, without the sensors that are switched off. */
+/** Makes skins of a coverage on a separate thread: at a height, without the sensors that are switched off. */
 public final class CoverageSkinning implements AutoCloseable {
     private final Latest thread;
 

@@ -46,7 +46,7 @@ public final class Scaled {
         return base.deriveFont((float) (base.getSize2D() * fraction));
     }
 
-    /** Pixels of the screen for one of Swing's. */
+    /** The number of screen pixels per Swing pixel, along one axis, where a component is shown. */
     public static double density(Component part) {
         return part.getGraphicsConfiguration() == null
                 ? 1.0

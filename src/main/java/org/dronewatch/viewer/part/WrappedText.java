@@ -7,7 +7,7 @@ import javax.swing.JTextArea;
 public final class WrappedText extends JTextArea {
     private static final long serialVersionUID = 1L;
 
-    /** No text yet; with a name for assistive software. */
+    /** An empty text, with a name for assistive software. */
     public WrappedText(String name) {
         setEditable(false);
         setFocusable(false);

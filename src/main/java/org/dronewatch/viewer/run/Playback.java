@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The time of a recorded run that is shown. It advances by itself during playback, as far as the run has been
+ * The displayed time of a recorded run. It advances by itself during playback, as far as the run has been
  * simulated. For use by one thread.
  */
 public final class Playback {
@@ -86,7 +86,7 @@ public final class Playback {
         jump((number + looks) * step);
     }
 
-    /** Shows another time, as far as it has been simulated. */
+    /** Shows another time, but none beyond the end of what has been simulated so far. */
     public void jump(double to) {
         if (run != null) {
             time = Math.max(0.0, Math.min(run.reached(), to));
@@ -94,7 +94,7 @@ public final class Playback {
         }
     }
 
-    /** Advances the playback time. */
+    /** Advances the playback, if it is not paused, by a duration of real time, s. */
     public void advance(double seconds) {
         if (!playing || run == null) {
             return;

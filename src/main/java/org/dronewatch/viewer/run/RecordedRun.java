@@ -13,7 +13,7 @@ import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
-/** One run as far as it has been simulated. Written by the thread that simulates, read by any. */
+/** One run, up to the time to which it has been simulated. Written by the thread that simulates, read by any. */
 public final class RecordedRun {
     private final RunInfo info;
     private final Stage stage;

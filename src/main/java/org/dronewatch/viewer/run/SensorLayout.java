@@ -13,8 +13,8 @@ import org.dronewatch.sensor.Outlined;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The layout of a run's sensors as changed by the user, with the last moves, which can be undone and redone. For the
- * event thread.
+ * The layout of a run's sensors as changed by the user, with the most recent moves, which can be undone and redone. For
+ * the event thread.
  */
 public final class SensorLayout {
     /** The number of moves that can be undone. */
@@ -56,12 +56,12 @@ public final class SensorLayout {
         return settings;
     }
 
-    /** The layout that was written to a file last, or that of the scene. */
+    /** The layout most recently written to a file, or that of the scene. */
     public SceneSettings saved() {
         return saved;
     }
 
-    /** Sets the settings that were saved last: in later runs, sensors that differ from them have unsaved changes. */
+    /** Sets the most recently saved settings: in later runs, sensors that differ from them have unsaved changes. */
     public void beginWith(SceneSettings inFile) {
         begin = inFile;
     }
@@ -130,7 +130,7 @@ public final class SensorLayout {
         return true;
     }
 
-    /** Resets all sensors to those of the scene, which can be undone. */
+    /** Resets all sensors to those of the scene; this can be undone. */
     public void reset() {
         if (isThere() && !moved().isEmpty()) {
             remember();
@@ -155,7 +155,7 @@ public final class SensorLayout {
         return moved;
     }
 
-    /** A state of the site with the sensors as they are now: of those that were moved, no detection is known. */
+    /** A state of the site with the sensors as they are now; for those that were moved, no detections are known. */
     public SiteState in(SiteState recorded, String note) {
         Set<String> moved = moved();
         if (moved.isEmpty()) {

@@ -1,5 +1,5 @@
 /**
- * The run that a window shows, as far as it has been recorded, and the layout of its sensors, which users may
- * change.
+ * The run that a window shows, up to the time to which it has been recorded, and the layout of its sensors, which users
+ * may change.
  */
 package org.dronewatch.viewer.run;

@@ -36,7 +36,7 @@ public record SettingRow(String path, String value, String allowed, Quantity qua
     }
 
     /**
-     * A text as it is to be read: a number without a unit is in the unit in which the value is shown.
+     * A text as it is to be parsed: a number without a unit is given the unit in which the value is shown.
      *
      * @param text what the user has typed
      */

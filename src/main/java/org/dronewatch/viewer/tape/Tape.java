@@ -40,7 +40,7 @@ public record Tape(End from, End to) {
          * A point on a surface.
          *
          * @param place on the surface, m
-         * @param viewpoint from which it is seen, m: the side of the surface that counts
+         * @param viewpoint from which it is seen, m; the eye is on this side of the surface
          */
         public static End onSurface(Position place, Position viewpoint) {
             Position back = viewpoint.minus(place);

@@ -1,2 +1,2 @@
-/** Measures between two points of the site: distances, bearing and line of sight. */
+/** Measurement between two points of the site: distances, bearing and line of sight. */
 package org.dronewatch.viewer.tape;

@@ -106,8 +106,8 @@ public final class CellWords {
     }
 
     /**
-     * The margin by which the signal of a sensor, given by its index, exceeds its threshold, as far as the field keeps
-     * it: {@code +3.2 dB}, {@code <= -12 dB} or {@code no signal}; empty if only the sign is kept.
+     * The margin by which the signal of a sensor, given by its index, exceeds its threshold, as precisely as the field
+     * stores it: {@code +3.2 dB}, {@code <= -12 dB} or {@code no signal}; empty if the field stores only its sign.
      */
     public String margin(int sensor) {
         Margin margin = kept(sensor);

@@ -80,7 +80,7 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
                 : "from " + arc(all, first, count);
     }
 
-    /** Whether the drone arrives undetected but from the bearings of an arc, which {@link #bearings} names. */
+    /** Whether the drone arrives undetected except from the bearings of an arc, which {@link #bearings} names. */
     boolean isNoneExcept(List<Warning> all) {
         return isNone() && isMostOfACircle(all);
     }

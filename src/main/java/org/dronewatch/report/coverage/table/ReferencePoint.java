@@ -75,7 +75,10 @@ public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy
                         .orElse("");
     }
 
-    /** The {@link FieldGrid#cell number} of the cell of a gap that is nearest to this point; the first among equals. */
+    /**
+     * The {@link FieldGrid#cell number} of the cell of a gap that is nearest to this point; the first if several are
+     * equally near.
+     */
     int nearestCell(GapMap map, int gap) {
         FieldGrid grid = map.coverage().field().grid();
         int nearest = -1;

@@ -8,7 +8,7 @@ import org.dronewatch.analysis.survey.FieldSurvey;
 public final class SurveyTables {
     private SurveyTables() {}
 
-    /** What an interruption left out: {@code complete for 3 of 5 heights; missing: warnings}. */
+    /** What is missing because of an interruption: {@code complete for 3 of 5 heights; missing: warnings}. */
     public static String missing(FieldSurvey survey) {
         List<String> missing = new ArrayList<>();
         if (survey.visible().isEmpty()) {

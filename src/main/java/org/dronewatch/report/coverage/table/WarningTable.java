@@ -51,7 +51,7 @@ public final class WarningTable {
         return lines;
     }
 
-    /** The heights, from the lowest to the highest. */
+    /** The heights, from the lowest to the highest, m. */
     public static double[] heights(InboundWarnings warnings) {
         return warnings.all().stream().mapToDouble(Warning::height).distinct().toArray();
     }
@@ -74,7 +74,7 @@ public final class WarningTable {
     }
 
     /**
-     * As {@link #leastAndOthers(List)}, with times in another format.
+     * The least warning in words, as {@link #leastAndOthers(List)} gives it, but with times in a given format.
      *
      * @param words writes a time, s
      */

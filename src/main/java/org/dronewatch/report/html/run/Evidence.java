@@ -15,7 +15,7 @@ import org.dronewatch.sensor.Explanation;
 /**
  * What was found at all the instants at which one reason for a miss held: the buildings and materials that hid the
  * drone, and the limits that it violated. The limit of radial speed of a radar with a notch depends on the strength of
- * the echo, so that a single reason may have many.
+ * the echo, so that a single reason may come with many limits.
  */
 final class Evidence {
     private static final int MOST_BUILDINGS = 3;

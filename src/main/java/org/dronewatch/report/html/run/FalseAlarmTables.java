@@ -58,7 +58,7 @@ final class FalseAlarmTables {
                         number(counted.count(), "false alarm"), number(counted.alertCount(), "false alert"));
     }
 
-    /** Which of the false alerts were birds. */
+    /** Which of the false alerts were caused by birds. */
     private String birds() {
         return counted.birds().entrySet().stream()
                 .map(one -> format(

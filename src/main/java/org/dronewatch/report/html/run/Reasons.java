@@ -24,7 +24,7 @@ import org.dronewatch.sensor.SensorSettings;
 
 /**
  * Explains why a sensor did not detect a drone, and for what fraction of the time: out of range, out of its field of
- * view, hidden and by which model, of a kind that the sensor cannot detect, or with too weak a signal.
+ * view, hidden, and by which model, of a kind that the sensor cannot detect, or with too weak a signal.
  */
 final class Reasons {
     /** Number of instants of a run that are examined, besides its start. */

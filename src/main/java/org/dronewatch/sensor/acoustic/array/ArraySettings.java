@@ -97,8 +97,8 @@ public record ArraySettings(
     }
 
     /**
-     * The half-power width of the main lobe of a line, broadside, {@code 0.886 lambda / (N d)}; for other shapes, about
-     * that of a line as long as their diameter, rad.
+     * The half-power width of the main lobe, rad: for a line of N microphones at a spacing d, the broadside width
+     * {@code 0.886 lambda / (N d)}; for other shapes, about that of a line as long as their diameter.
      *
      * @param wavelength m, above 0
      */

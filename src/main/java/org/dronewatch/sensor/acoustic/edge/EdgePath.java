@@ -156,7 +156,10 @@ public final class EdgePath {
         return minima;
     }
 
-    /** The edges of one of {@link #others}; the shortest path may be among them, with an infinite detour. */
+    /**
+     * The edges of one of the paths that {@link #others} counts. The shortest path may be among these; it is then
+     * returned as a path without edges and with an infinite detour.
+     */
     public EdgeSequence other(int number) {
         return number == ofShortest ? NONE : ofMinima[number];
     }

@@ -62,7 +62,7 @@ public final class EnergyTracer {
     /**
      * A tracer to one sensor.
      *
-     * @param sensor its position, m; if it lies on a surface, just in front of that
+     * @param sensor its position, m; if the sensor lies on a surface, a point just in front of that surface
      * @param radius radius of the sphere around the source in which specularly reflected rays are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {

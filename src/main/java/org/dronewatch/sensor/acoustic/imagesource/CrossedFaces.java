@@ -7,10 +7,10 @@ import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.world.World;
 
 /**
- * The coincident faces where a path of sound meets one of them, by material: all are crossed at once. The path leaves
- * the solids that it is inside, and enters the others. Coincident faces of a sheet count as one. So do those of a
- * solid: all of them where the path enters it, and up to the same number where the path leaves it. For use by one
- * thread.
+ * The coincident faces at a point where a path of sound meets one of them, grouped by material: the path crosses all of
+ * them at once. It leaves the solids that it is inside, and enters the others. Coincident faces of a sheet count as
+ * one. So do those of a solid: all of them where the path enters it, and up to the same number where the path leaves
+ * it. For use by one thread.
  */
 public final class CrossedFaces {
     /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */
@@ -120,12 +120,12 @@ public final class CrossedFaces {
         return count;
     }
 
-    /** One of the materials, which are counted from 0. */
+    /** The index, in the world, of one of these faces' materials, which are numbered from 0 to {@link #count} - 1. */
     public int material(int number) {
         return materials[number];
     }
 
-    /** A face of that material. */
+    /** The index of a triangle that is a face of the material with this number. */
     public int triangle(int number) {
         return triangles[number];
     }
@@ -134,7 +134,7 @@ public final class CrossedFaces {
         return (halves[number] + 1) / 2;
     }
 
-    /** Whether a path within some solids enters a solid or a sheet of that material here. */
+    /** Whether a path within some solids enters a solid or a sheet of the material with this number here. */
     public boolean begins(int number, EnteredSolids solids) {
         return faces(number) > solids.faces(materials[number]);
     }
@@ -150,7 +150,7 @@ public final class CrossedFaces {
         }
     }
 
-    /** The distance to the last of these faces, as a multiple of the path's direction. */
+    /** The distance to the last of these faces, as a multiple of the length of the direction given for the path. */
     public double beyond() {
         return beyond;
     }

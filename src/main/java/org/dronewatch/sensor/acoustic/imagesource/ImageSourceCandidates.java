@@ -137,7 +137,7 @@ public final class ImageSourceCandidates {
      * The image sources with the greatest worth. None may be worth more than its parent.
      *
      * @param most maximum number
-     * @param least image sources of less worth are left out
+     * @param least minimum worth: image sources worth less than this are left out
      */
     public ImageSources best(int most, double least) {
         int[] kept = IntStream.range(0, count)

@@ -283,7 +283,7 @@ public final class SpecularPath {
     }
 
     /**
-     * A coordinate of the direction in which the path leaves one of its ends.
+     * A component of the unit vector along which the path leaves one of its ends.
      *
      * @param side positive for the beginning, negative for the end
      */

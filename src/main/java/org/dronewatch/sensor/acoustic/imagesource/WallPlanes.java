@@ -164,7 +164,7 @@ public final class WallPlanes {
         return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
     }
 
-    /** A coordinate of a plane's unit normal. */
+    /** A component of a plane's unit normal. */
     public double normal(int wall, int axis) {
         return planes[NUMBERS * wall + axis];
     }

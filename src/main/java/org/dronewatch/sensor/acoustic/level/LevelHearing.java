@@ -82,9 +82,9 @@ public final class LevelHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} It traces only rays that can lead to a ray that is loud enough; where some looks detect the drone
-     * and some do not, it traces more of them, so that the probability is more accurate. If it matters only on which
-     * side of a limit the probability lies, it traces no more rays after the first look than are needed to show it.
+     * {@inheritDoc} Only rays that can lead to a ray that is loud enough are traced; where some looks detect the drone
+     * and some do not, more such rays are traced, so that the probability is more accurate. If it matters only on which
+     * side of a limit the probability lies, no more rays are traced after the first look than are needed to show it.
      */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random, ProbabilityResolution resolution) {

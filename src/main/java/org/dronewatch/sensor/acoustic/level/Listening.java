@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.acoustic.level;
 
-/** The criterion by which a look ends. Both criteria give the same detections. */
+/** The criterion for ending a look. Both criteria give the same detections. */
 public enum Listening {
     /** Ends when a ray arrives that is loud enough: {@code listen} in the thesis on which this project is based. */
     FAST,

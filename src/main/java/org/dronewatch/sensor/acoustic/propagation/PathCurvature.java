@@ -5,8 +5,8 @@ import org.dronewatch.sound.Atmosphere;
 /**
  * The curvature of sound paths due to wind and temperature: if the effective speed of sound, that in still air plus the
  * speed of the wind along the path, changes linearly with height at the rate g, a path at an elevation gamma is an arc
- * of radius {@code c / (g cos gamma)} (A. D. Pierce, Acoustics, section 8.3). The wind's profile is assumed linear
- * between the heights of the source and the microphone. Immutable.
+ * of radius {@code c / (g cos gamma)}, with the speed of sound c (A. D. Pierce, Acoustics, section 8.3). The wind's
+ * profile is assumed linear between the heights of the source and the microphone. Immutable.
  *
  * @param everywhere curvature due to temperature, positive if it bends sound up, 1/m
  * @param eastward curvature of sound that travels east, due to wind, 1/m
@@ -63,8 +63,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
 
     /**
      * The height of the straight line above an arc that bends up, or, equivalently, the rise of the ground if arcs are
-     * drawn as straight lines, m: {@code k s (L - s) / 2}. This holds at any elevation if lengths are measured along
-     * the line.
+     * drawn as straight lines, m: {@code k s (L - s) / 2}, with the curvature k, the length L and the distance s along
+     * the line. This holds at any elevation if lengths are measured along the line.
      *
      * @param curvature 1/m; negative if the arc bends down, and runs above the line
      * @param length length of the straight line, m

@@ -35,9 +35,9 @@ public interface SoundTracer {
     Signal signal(Drone drone, RandomGenerator random);
 
     /**
-     * As {@link #signal}, but at less cost where possible: where the probability is a fraction of several looks, the
-     * looks after the first may draw other random numbers, and the quantity of a drone that is missed may be lower. The
-     * same as {@link #signal} unless overridden.
+     * The signal received from a drone, computed at less cost than by {@link #signal} where possible: where the
+     * probability is a fraction of several looks, the looks after the first may draw other random numbers, and the
+     * quantity of a drone that is missed may be lower. Calls {@code signal} unless overridden.
      *
      * @param resolution the probabilities that count as equal
      */
@@ -45,7 +45,10 @@ public interface SoundTracer {
         return signal(drone, random);
     }
 
-    /** See {@link org.dronewatch.sensor.InterpolableSensor#signalInTheOpen}; empty unless overridden. */
+    /**
+     * The signal that would arrive if there were nothing but air between the drone and the microphone; see
+     * {@link org.dronewatch.sensor.InterpolableSensor#signalInTheOpen}. Empty unless overridden.
+     */
     default Optional<Signal> signalInTheOpen(Drone drone) {
         return Optional.empty();
     }
