@@ -14,8 +14,8 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * A calibration: the threshold at which a sensor detects a drone up to a given range, given a clear line of sight and
- * the conditions of a scene ({@link FreeSight}). It uses {@link org.dronewatch.sensor.AssessableSensor#signal}, not
- * runs, so the result does not depend on chance.
+ * the air, background noise, rain and light of a scene, without its models and noise sources. It uses
+ * {@link org.dronewatch.sensor.AssessableSensor#signal}, not runs, so the result does not depend on chance.
  *
  * @param sensor the sensor with its fitted threshold
  * @param scale the setting that was fitted

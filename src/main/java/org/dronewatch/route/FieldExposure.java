@@ -15,9 +15,10 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * The rates of detection that follow from a detection field of single looks, in one mode of flight. At the centre of a
- * cell they are those of its {@link SensorRates}; between the centres of eight cells, at two neighbouring heights of
- * the field above the ground, they are interpolated (trilinearly), so that a route gains nothing at the boundary of a
- * cell that no sensor sees. Where a drone cannot be, the rates are 0: no route leads there.
+ * cell, the rate of a sensor follows from the probability of detection in a look there and the number of looks per
+ * second ({@link org.dronewatch.sensor.Chance#hazard}); between the centres of eight cells, at two neighbouring heights
+ * of the field above the ground, rates are interpolated (trilinearly), so that a route gains nothing at the boundary of
+ * a cell that no sensor sees. Where a drone cannot be, the rates are 0: no route leads there.
  */
 public final class FieldExposure implements ExposureField {
     /** The value at which the probability of detection in a look is capped, so that all exposures are finite. */

@@ -49,8 +49,8 @@ public record SectorRoute(
     }
 
     /**
-     * The profile of the whole route for pictures: once the looks along it have been assessed, the exposure is the
-     * mean number of looks that detect the drone.
+     * The profile of the whole route, for pictures only: once the looks along it have been assessed, the mean number of
+     * looks that detect the drone takes the place of the exposure, and {@link RouteProfile#detection} does not apply.
      */
     public RouteProfile profile() {
         return flown.map(searched::with).orElse(searched);

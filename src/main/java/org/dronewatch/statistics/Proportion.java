@@ -44,8 +44,8 @@ public record Proportion(int count, int of) {
     }
 
     /**
-     * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): at this probability,
-     * neither this count or a higher one nor this count or a lower one is too unlikely; the limit for each is
+     * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): at this probability, a
+     * count at least as high as this one, and a count at most as high, each have a probability of at least
      * {@code (1 - confidence) / 2}. In a fraction of at least {@code confidence} of many campaigns, the interval
      * contains the true probability, even where Wilson's interval contains it less often, for example if fewer than one
      * case with the outcome is expected.

@@ -22,9 +22,9 @@ import org.dronewatch.sensor.SensorSettings;
  * The field of a scene at one height while some of its sensors are moved or turned: only these are assessed again, in
  * ever smaller blocks of cells; what the others detect is taken from the previous field. In the end, all cells are as
  * {@link FieldAssessment} would give them, with three exceptions: an inbound drone flies to the target of the previous
- * field; for signals of moved sensors that could be interpolated, only what arrives along exact paths counts ({@link
- * #reduced}); and such signals of the other sensors stay as they were on the courses across the line of sight of a
- * moved one.
+ * field; for signals of moved sensors that could be interpolated, only what arrives along deterministic paths counts,
+ * which are found without random rays ({@link #reduced}); and such signals of the other sensors stay as they were on
+ * the courses across the line of sight of a moved one.
  *
  * <p>For use by one thread, which may have {@link Workers}; the result does not depend on their number.
  */
@@ -179,7 +179,7 @@ public final class FieldDraft {
         return isComplete;
     }
 
-    /** The names of those moved sensors for which only signals along exact paths count. */
+    /** The names of those moved sensors for which only signals along deterministic paths count. */
     public List<String> reduced() {
         return List.copyOf(reduced);
     }

@@ -10,9 +10,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Signal;
 
 /**
- * The amount by which the signal of one sensor exceeds that in the open, and what the sensor receives along paths other
- * than the exact ones, at any position: interpolated between the nearest traced ones, separately in sight of the
- * sensor, out of sight, and where nothing arrives along exact paths. Immutable.
+ * The amount by which the signal of one sensor exceeds that in the open, and what the sensor receives along paths that
+ * only random rays find, at any position: interpolated between the nearest traced positions, separately in sight of the
+ * sensor, out of sight, and where nothing arrives along deterministic paths, which are found without random rays.
+ * Immutable.
  */
 public final class ExcessMap {
     private static final int NEIGHBOURS = 20;

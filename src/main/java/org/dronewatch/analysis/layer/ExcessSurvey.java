@@ -23,7 +23,7 @@ import org.dronewatch.world.World;
 /**
  * Chooses the positions at which a sensor's levels are traced: some at random in the cells of a field and between their
  * heights, then, in two rounds, more where neighbours differ and the level is near the threshold. Others, at random,
- * are held out to measure the error. All are drawn at random, from a stream that depends only on the seed and on the
+ * are held out to measure the error. All random numbers come from one stream, which depends only on the seed and on the
  * names of sensor and drone.
  */
 public final class ExcessSurvey {

@@ -58,8 +58,8 @@ public record FieldProbe(
      * What an assessment may leave out.
      *
      * @param excess what is interpolated between cells; empty where each is assessed
-     * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along exact paths counts,
-     *     which is much faster, and never gives too strong a signal
+     * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along deterministic paths
+     *     counts, which are found without random rays: this is much faster, and never gives too strong a signal
      * @param needed the step that the probability has to reach, if nothing else matters: where the result is the same
      *     on all courses, it is then certain only whether the step is reached
      */
@@ -98,7 +98,7 @@ public record FieldProbe(
         return with(new Shortcuts(map, false, needed()));
     }
 
-    /** This probe, for a signal that could be interpolated, with only what arrives along exact paths. */
+    /** This probe, for a signal that could be interpolated, with only what arrives along deterministic paths. */
     public FieldProbe onExactPaths() {
         return with(new Shortcuts(Optional.empty(), true, needed()));
     }
@@ -125,7 +125,7 @@ public record FieldProbe(
         return shortcuts.excess();
     }
 
-    /** Whether only what arrives along exact paths counts. */
+    /** Whether only what arrives along deterministic paths counts. */
     public boolean isExactAlone() {
         return shortcuts.isExactAlone();
     }

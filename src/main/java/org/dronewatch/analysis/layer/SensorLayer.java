@@ -14,8 +14,7 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * One sensor's assessments of a drone in all cells on all courses: probability, cause and margin. Most of them are the
- * same on every course, and take four bytes for each cell and height ({@link CellCode}); the others take some more
- * ({@link CourseCodes}).
+ * same on every course, and take four bytes for each cell and height ({@link CellCode}); the others take some more.
  */
 public final class SensorLayer {
     /**

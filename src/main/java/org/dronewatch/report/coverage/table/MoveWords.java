@@ -40,7 +40,7 @@ public final class MoveWords {
      * @param now the coverage after it
      * @param off the sensors that are left out both before and now; may be empty
      * @param moved the sensors that were moved
-     * @param reduced those of the moved sensors for which only signals along exact paths count
+     * @param reduced those of the moved sensors for which only signals along deterministic paths count
      */
     public static String sentence(
             RemainingCoverage before,

@@ -20,7 +20,7 @@ import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
- * The tracer of the energy model. Deterministic paths are computed by {@link ExactPaths}. Other paths are found by
+ * The tracer of the energy model. Deterministic paths are computed without random rays. Other paths are found by
  * tracing rays backward from the sensor: the efficiency of this method does not depend on the distance of the source,
  * and by reciprocity, the fraction of the rays' energy that reaches the source is the fraction that the source would
  * have sent to the sensor. The first few surfaces of a path from the source are also sampled by rays from the source,
