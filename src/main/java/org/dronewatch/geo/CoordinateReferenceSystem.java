@@ -42,7 +42,7 @@ public final class CoordinateReferenceSystem {
     /**
      * A system by its code.
      *
-     * @param code such as {@code EPSG:25832}, in upper or lower case, or its URN or address in a file; longitude and
+     * @param code such as {@code EPSG:25832}, in upper or lower case, or its URN or URL in a file; longitude and
      *     latitude may also be named {@code OGC:CRS84}
      * @throws InputException when it is not a code, is not in PROJ4J's register, or is neither a grid nor longitude and
      *     latitude

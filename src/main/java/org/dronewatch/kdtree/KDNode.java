@@ -11,8 +11,8 @@ package org.dronewatch.kdtree;
  * </pre>
  *
  * With 30 bits, a float loses its two lowest mantissa bits. Planes must therefore lie on a grid of floats whose two
- * lowest bits are zero; {@link #floorKey}, {@link #ceilKey} and {@link #value} number that grid in ascending order, so
- * that the builder can round before it compares and never compares a plane that it cannot store.
+ * lowest bits are zero. This class numbers that grid in ascending order, so that the builder can round before it
+ * compares and never compares a plane that it cannot store.
  *
  * <p>Public for the kernel's packages, which read nodes; only this package packs them.
  */

@@ -52,8 +52,8 @@ import org.dronewatch.world.WorldSettings;
 
 /**
  * The stage of a run, created from its settings: the world, the drones with their paths, and the sensors with their
- * next looks. Only {@link #look} and {@link #steerHere} change it, and only the thread that runs the scene may call
- * them; everything else may be queried by any thread, during the run and after it.
+ * next looks. Only the looks of the run and {@link #steerHere} change it, both on the thread that runs the scene;
+ * everything else may be queried by any thread, during the run and after it.
  */
 public final class Stage {
     private final World world;

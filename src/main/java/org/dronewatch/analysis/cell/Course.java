@@ -21,7 +21,7 @@ import org.dronewatch.sensor.SensorSettings;
  * @param reference the point from or to which the heading is measured, m; it has no effect on a fixed heading
  * @param sensor the sensor whose line of sight is crossed; empty for other kinds
  * @param glide how it glides; empty under power
- * @param speed its speed, m/s; empty for the cruise speed, while it hovers or glides
+ * @param speed its speed, m/s; empty for the cruise speed, and while it hovers or glides
  */
 public record Course(
         Kind kind,

@@ -12,8 +12,9 @@ import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The lowest height above the ground to which each sensor has a clear line of sight, column by column. Only the site
- * matters, not the sensor's field of view and range. Above it, something may hide the drone again. Immutable.
+ * The lowest height above the ground to which each sensor has a clear line of sight, column by column. Above that
+ * height, something may hide the drone again. Only the site matters, not the sensor's field of view and range.
+ * Immutable.
  */
 public final class VisibleHeights {
     private final FieldGrid grid;

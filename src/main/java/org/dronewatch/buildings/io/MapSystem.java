@@ -13,7 +13,7 @@ import org.dronewatch.setting.PlainText;
  * which takes precedence over the file.
  *
  * @param rule what the format requires
- * @param stated what the file states about its coordinates: a code, a URN or an address; not checked yet
+ * @param stated what the file states about its coordinates: a code, a URN or a URL; not checked yet
  * @param member of the file that states it
  * @param extent of its coordinates
  * @param foreign the first point that cannot be a longitude and latitude, with its location in the file, in words

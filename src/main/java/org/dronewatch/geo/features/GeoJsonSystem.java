@@ -12,7 +12,7 @@ public final class GeoJsonSystem {
     private GeoJsonSystem() {}
 
     /**
-     * The name of the coordinate reference system in a file: a code, a URN or an address, as it is written.
+     * The name of the coordinate reference system in a file: a code, a URN or a URL, as it is written.
      *
      * @param root the whole file
      * @return empty if the file states none

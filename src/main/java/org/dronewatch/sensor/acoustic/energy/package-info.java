@@ -1,2 +1,2 @@
-/** The energy model: exact paths, and energy carried by rays, in octave bands. */
+/** The energy model: deterministic paths, and energy carried by random rays, in octave bands. */
 package org.dronewatch.sensor.acoustic.energy;

@@ -9,8 +9,8 @@ import org.dronewatch.world.World;
 /**
  * The coincident faces at a point where a path of sound meets one of them, grouped by material: the path crosses all of
  * them at once. It leaves the solids that it is inside, and enters the others. Coincident faces of a sheet count as
- * one. So do those of a solid: all of them where the path enters it, and up to the same number where the path leaves
- * it. For use by one thread.
+ * one. So do those of a solid: all of them where the path enters it and, where the path leaves it, at most as many as
+ * those through which it entered. For use by one thread.
  */
 public final class CrossedFaces {
     /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */

@@ -110,16 +110,16 @@ public final class SpecularLeg {
     }
 
     /**
-     * Whether the ray is reflected like sound from one of the image sources of the point where the ray began, in air
-     * alone.
+     * Whether the walls that reflected the ray are, in the same order, those of one of the image sources of the point
+     * where the ray began, and the ray travelled through air alone.
      */
     public boolean matchesFromStart(ImageSources imageSources) {
         return !isThroughWalls && isReflectedFromStart(imageSources);
     }
 
     /**
-     * Whether the ray is reflected like sound from one of the image sources of the point where the ray began, whatever
-     * the walls through which it passed in between.
+     * Whether the walls that reflected the ray are, in the same order, those of one of the image sources of the point
+     * where the ray began, whether or not it passed through other walls in between.
      */
     public boolean isReflectedFromStart(ImageSources imageSources) {
         // The parents of images are images, too: a leg that has left their tree never returns, and is not looked up.
@@ -135,16 +135,16 @@ public final class SpecularLeg {
     }
 
     /**
-     * Whether, traced backward, the ray is reflected like sound from one of the image sources of a point where the ray
-     * ends, in air alone.
+     * Whether the walls that reflected the ray, traced backward, are, in the same order, those of one of the image
+     * sources of a point where the ray ends, and the ray travelled through air alone.
      */
     public boolean matchesFromEnd(ImageSources imageSources) {
         return !isThroughWalls && isReflectedFromEnd(imageSources);
     }
 
     /**
-     * Whether, traced backward, the ray is reflected like sound from one of the image sources of a point where the ray
-     * ends, whatever the walls through which it passed in between.
+     * Whether the walls that reflected the ray, traced backward, are, in the same order, those of one of the image
+     * sources of a point where the ray ends, whether or not it passed through other walls in between.
      */
     public boolean isReflectedFromEnd(ImageSources imageSources) {
         return order > 0 && imageSources.contains(order, reverse);

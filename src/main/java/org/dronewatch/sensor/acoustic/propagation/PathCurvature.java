@@ -86,8 +86,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * An upper bound on the sum of the distances of a point from both ends, m, if that sum is within a limit when arcs
-     * are drawn straight.
+     * An upper bound on the true sum of the distances of a point from the two ends of an arc, m, given that this sum is
+     * within a limit when the arc is drawn straight.
      *
      * @param curvature 1/m
      * @param length length of the straight line, m
