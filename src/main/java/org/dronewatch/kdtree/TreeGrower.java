@@ -7,8 +7,9 @@ import org.dronewatch.parallel.LongTask;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Grows parts of a tree. A split duplicates the references to the triangles that cross its plane; a bundle of long thin
- * triangles oblique to the axes would thus fill any memory. Each part therefore has a limit on its duplicates:
+ * Grows parts of a tree. A split duplicates the references to the triangles that cross its plane; a bundle of long
+ * thin triangles oblique to the axes could thus exhaust memory of any size. Each part therefore has a limit on its
+ * duplicates:
  *
  * <ul>
  *   <li>A part that stays within its limit is the one without any limit.
@@ -17,8 +18,8 @@ import org.dronewatch.parallel.Workers;
  *       is not covered becomes a leaf.
  * </ul>
  *
- * <p>Whether a part stays within its limit is found by growing it until it does not. So that this costs each level of
- * the tree the same at most, it is tried again only where a quarter of the references is left.
+ * <p>Whether a part stays within its limit is found by growing it until it does not. So that this costs at most the
+ * same at each level of the tree, it is tried again only where a quarter of the references is left.
  *
  * <p>All of this depends on the part alone, not on which thread comes first: the tree is the same for any number of
  * them. For use by one thread.

@@ -17,8 +17,8 @@ enum RasterMode {
     MANY(79),
     /**
      * Like MANY, with triangles and pixels four at a time with vector instructions. The leaves have to be the same as
-     * without vectors, since threads change over at different times: more leaves at a time would meet other rounding
-     * errors of triangles seen edge-on.
+     * without vectors, since threads change over at different times: more leaves at a time would give different
+     * rounding errors for triangles seen edge-on.
      */
     MANY_BY_VECTORS(MANY.nodesAtOnce) {
         @Override

@@ -4,8 +4,9 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /**
- * Rounds in which layouts are compared on all known routes and flown, until flights show no routes that matter. Asked
- * to end between two rounds, it compares layouts once more, on all routes known by then.
+ * Rounds in which layouts are compared on all known routes, and the routes past them are flown, until flights show no
+ * other routes that matter. Asked to end between two rounds, it compares layouts once more, on all routes known by
+ * then.
  *
  * @param most greatest number of rounds, 1 or more
  * @param isEnding queried before each round
@@ -14,7 +15,7 @@ record ComparisonRounds(int most, BooleanSupplier isEnding) {
     /** A round. */
     interface Round<T> {
         /**
-         * Compares and flies layouts.
+         * Compares layouts, and flies the routes past them.
          *
          * @param isLast whether there is no other round
          * @return the result; empty if another round is needed, but never in the last one

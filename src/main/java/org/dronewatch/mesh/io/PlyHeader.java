@@ -58,7 +58,7 @@ record PlyHeader(Optional<ByteOrder> order, List<Element> elements) {
 
     /** Things of one kind, such as vertices. */
     record Element(String name, long count, List<Property> properties) {
-        /** The number of the property of a name, -1 if there is none. */
+        /** The index of the property with a given name; -1 if there is none. */
         int indexOf(String property) {
             for (int i = 0; i < properties.size(); i++) {
                 if (properties.get(i).name().equals(property)) {

@@ -11,7 +11,7 @@ import org.dronewatch.placement.PlacementProblem;
  * -ln(1 - p), which add up. Immutable and thread-safe.
  */
 final class Gains {
-    /** How the gains of the chosen candidates in a row are joined, and the rows to a value. */
+    /** How the gains of the chosen candidates in a row are combined, and how the rows are combined into a value. */
     enum Form {
         /** The sum over rows of the k-th best gain. */
         BEST_SUM,
@@ -100,7 +100,7 @@ final class Gains {
     /**
      * The sum over groups with a weight each, at least the least sum of a group.
      *
-     * @param ofGroups 0 or more, 1 in all
+     * @param ofGroups each 0 or more; they add up to 1
      */
     Gains weighted(double[] ofGroups) {
         return new Gains(this, ofGroups);

@@ -48,7 +48,7 @@ final class Mp4Encoder implements FilmEncoder {
         encoder.setKeyInterval(KEY_INTERVAL);
     }
 
-    /** {@inheritDoc} Sides of an odd number of pixels get one more, as the edge is. */
+    /** {@inheritDoc} If a side has an odd number of pixels, its last row or column is repeated. */
     @Override
     public void add(BufferedImage image) throws IOException {
         BufferedImage even = even(image);

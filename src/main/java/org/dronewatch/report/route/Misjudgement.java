@@ -4,9 +4,9 @@ import java.util.Optional;
 import org.dronewatch.route.SectorRoute;
 
 /**
- * Why the search misjudges the probability that a drone is detected on a route. Looks that came at any moment, as the
- * search assumes, would detect the drone with a probability in between: from the search to these looks, the cells are
- * the cause of the difference, and from there to the flight, the moments of the looks.
+ * Why the search misjudges the probability that a drone is detected on a route. Between the probability of the search
+ * and that of the flight lies that of looks taken at any moment, as the search assumes: the cells account for its
+ * difference from the search, the timing of the looks for its difference from the flight.
  */
 enum Misjudgement {
     /** The search assesses each cell only at its centre. */

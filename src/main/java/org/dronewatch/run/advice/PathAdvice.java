@@ -9,8 +9,8 @@ import org.dronewatch.world.Ground;
 import org.dronewatch.world.World;
 
 /**
- * Warns of a flight that passes below the ground or through a solid building, where every sensor would look for the
- * drone behind a wall: one line for each drone.
+ * Warns of a flight that passes below the ground or through a solid building, which would hide the drone from every
+ * sensor: one line for each drone.
  *
  * @param id name of the drone
  * @param world with its ground and its buildings
