@@ -1,14 +1,13 @@
 package org.dronewatch.examples;
 
-import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Function;
 import nl.tudelft.simulation.dsol.experiment.Experiment;
 import nl.tudelft.simulation.dsol.experiment.Replication;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
 import org.djutils.stats.summarizers.Tally;
 import org.dronewatch.scene.Scene;
-import org.dronewatch.scene.SceneFile;
 import org.dronewatch.sensor.Observation;
 
 /** A DSOL experiment: a scene in many replications, each with its own seed, and a tally over all of them. */
@@ -25,9 +24,10 @@ public final class RangeExperiment {
     }
 
     /** The ranges at which the sensor first detects the drone, one for each replication in which it does, m. */
-    public Tally run(Path file, double duration, int replications) throws InterruptedException {
+    public Tally run(Function<DevsSimulatorInterface<Double>, Scene> site, double duration, int replications)
+            throws InterruptedException {
         DevsSimulator<Double> simulator = new DevsSimulator<>("ranges");
-        SceneFile scene = new SceneFile(file, simulator);
+        Scene scene = site.apply(simulator);
         scene.addListener(
                 event -> look((Observation) event.getContent(), simulator.getReplication()), Scene.OBSERVATION);
         Experiment<Double, DevsSimulatorInterface<Double>> experiment =

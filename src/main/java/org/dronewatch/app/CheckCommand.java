@@ -4,12 +4,14 @@ import java.io.PrintWriter;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dronewatch.app.console.Notes;
 import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.SceneChoice;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.scene.SceneRunner;
@@ -29,6 +31,9 @@ import tools.jackson.databind.node.ObjectNode;
         description = "Reads and validates a scene with its models; runs nothing.",
         footer = {"", "Example:", "  dronewatch check camera-range --set sensors.camera.width=1280"})
 final class CheckCommand implements Callable<Integer> {
+    /** Maximum number of sensors whose heights are printed. */
+    private static final int MOST_SENSORS = 30;
+
     @Mixin
     private SceneChoice choice;
 
@@ -46,12 +51,21 @@ final class CheckCommand implements Callable<Integer> {
         List<SceneSettings> runs = runner.settingsOfRuns();
         runs.forEach(runner::checkPilot);
         runner.adviseOnConditions();
-        runs.forEach(runner::stage);
-        json.print(() -> toJson(scene, runs), out -> print(scene, runs, out));
+        Stage stage = runner.stage(runs.get(0));
+        runs.stream().skip(1).forEach(runner::stage);
+        Map<String, Optional<MountingHeight>> heights = heights(runs.get(0), stage);
+        json.print(() -> toJson(scene, runs, heights), out -> print(scene, runs, heights, out));
         return 0;
     }
 
-    private static void print(Scene scene, List<SceneSettings> runs, PrintWriter out) {
+    private static Map<String, Optional<MountingHeight>> heights(SceneSettings run, Stage stage) {
+        Map<String, Optional<MountingHeight>> heights = new LinkedHashMap<>();
+        run.sensors().forEach((name, sensor) -> heights.put(name, MountingHeight.at(sensor.position(), stage)));
+        return heights;
+    }
+
+    private static void print(
+            Scene scene, List<SceneSettings> runs, Map<String, Optional<MountingHeight>> heights, PrintWriter out) {
         SceneSettings first = runs.get(0);
         out.printf(
                 "%s is valid: %s, %s, %s, %s of %s s%n",
@@ -62,6 +76,15 @@ final class CheckCommand implements Callable<Integer> {
                 Counted.of(runs.size(), "run"),
                 first.run().duration());
         labels(first).forEach((id, label) -> out.printf("drone '%s' is labelled %s%n", id, label));
+        heights.entrySet().stream()
+                .limit(MOST_SENSORS)
+                .forEach(entry -> out.printf(
+                        "sensor '%s' is %s%n",
+                        entry.getKey(),
+                        entry.getValue().map(MountingHeight::inWords).orElse("not above any surface")));
+        if (heights.size() > MOST_SENSORS) {
+            out.printf("... and %d more sensors%n", heights.size() - MOST_SENSORS);
+        }
     }
 
     /** The labels of the drones that have one, in words. */
@@ -75,7 +98,8 @@ final class CheckCommand implements Callable<Integer> {
         return labels;
     }
 
-    private static ObjectNode toJson(Scene scene, List<SceneSettings> runs) {
+    private static ObjectNode toJson(
+            Scene scene, List<SceneSettings> runs, Map<String, Optional<MountingHeight>> heights) {
         SceneSettings first = runs.get(0);
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("scene", scene.name());
@@ -90,6 +114,12 @@ final class CheckCommand implements Callable<Integer> {
         root.put("duration_s", Numbers.rounded(first.run().duration()));
         ObjectNode labels = root.putObject("labels");
         labels(first).forEach(labels::put);
+        ObjectNode above = root.putObject("heights");
+        heights.forEach((name, height) -> {
+            ObjectNode one = above.putObject(name);
+            one.put("above_m", height.map(its -> Numbers.rounded(its.metres())).orElse(null));
+            one.put("surface", height.map(MountingHeight::surface).orElse(null));
+        });
         return root;
     }
 

@@ -18,6 +18,7 @@ import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.geo.FeaturePlace;
 import org.dronewatch.geo.FeaturePoint;
 import org.dronewatch.geo.LocalPlace;
+import org.dronewatch.geo.LocalPoint;
 import org.dronewatch.geo.features.Features;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Defaults;
@@ -56,6 +57,10 @@ public final class PlaceForms {
                                 (known, place) -> known.at(maps.apply(place.file())
                                         .place(place.feature(), place.above(), place.height()))))
                 .with(GroundPoint.class, EarthPoint.class, found(places, Places::at))
+                .with(
+                        GroundPoint.class,
+                        LocalPoint.class,
+                        point -> Optional.of(new GroundPoint(point.east(), point.north())))
                 .with(
                         GroundPoint.class,
                         FeaturePoint.class,

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
@@ -132,6 +133,17 @@ public final class KindRegistry {
     /** Whether there are kinds of a type. */
     public boolean knows(Class<?> type) {
         return byType.containsKey(type);
+    }
+
+    /** The only kind of a type whose summary contains a word: a {@code microphone} is of kind {@code acoustic}. */
+    public Optional<String> describedAs(Class<?> type, String word) {
+        List<String> names = all.stream()
+                .map(FoundKind::kind)
+                .filter(kind -> kind.type() == type)
+                .filter(kind -> List.of(kind.summary().split("\\W+")).contains(word.toLowerCase(Locale.ROOT)))
+                .map(Kind::name)
+                .toList();
+        return names.size() == 1 ? Optional.of(names.get(0)) : Optional.empty();
     }
 
     /** The settings of the kinds of a type by name; none when it has no kinds. */

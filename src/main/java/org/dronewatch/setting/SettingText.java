@@ -133,12 +133,13 @@ public final class SettingText {
     private static Object choice(Map<String, ? extends Class<?>> kinds, String text) {
         Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
         if (chosen == null) {
-            throw new IllegalArgumentException("'" + text + "' is not one of " + kinds.keySet());
+            throw new IllegalArgumentException("'" + text + "' is not one of " + kinds.keySet()
+                    + (text.strip().startsWith("{") ? "; settings in braces have to be in the scene itself" : ""));
         }
         SettingsForm form = SettingsForm.of(chosen);
         if (!form.isCompleteByDefault()) {
             throw new IllegalArgumentException("'" + text.strip() + "' needs " + String.join(", ", form.required())
-                    + ", which only a scene file can give; the kinds are " + kinds.keySet());
+                    + ", which have to be in the scene itself; the kinds are " + kinds.keySet());
         }
         return form.create(Map.of());
     }

@@ -45,7 +45,8 @@ public final class Spelling {
         return meant(typed, names).map(Spelling::question).orElse("");
     }
 
-    static String question(String name) {
+    /** The question {@code ; did you mean 'camera'?}, for the end of a message. */
+    public static String question(String name) {
         return "; did you mean '" + name + "'?";
     }
 

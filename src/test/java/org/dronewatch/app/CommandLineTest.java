@@ -204,9 +204,25 @@ class CommandLineTest extends CommandLines {
         Program.Outcome outcome = Program.run("check", "camera-range");
 
         assertThat(outcome.code()).isZero();
-        assertThat(outcome.out().strip())
+        assertThat(outcome.out().lines().findFirst().orElseThrow())
                 .matches("camera-range is valid: 1 model, 1 drone, 1 sensor, 5 runs of [0-9.]+ s");
         assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void checkShowsWhatEachSensorStandsOn() {
+        Program.Outcome outcome = Program.run(
+                "check",
+                "multi-sensor",
+                "--set",
+                "sensors.microphone.position=100, 0, 200",
+                "--set",
+                "sensors.north-east-1.position=0, 0, -500");
+
+        assertThat(outcome.out().lines())
+                .contains("sensor 'north-east-2' is 0.9 m above house.obj")
+                .contains("sensor 'north-east-1' is not above any surface")
+                .anyMatch(line -> line.matches("sensor 'microphone' is [0-9.]+ m above the ground"));
     }
 
     @Test
@@ -220,7 +236,7 @@ class CommandLineTest extends CommandLines {
                 "drones.quadrotor.label.weight=1.25 kg");
 
         assertThat(outcome.out().lines().skip(1))
-                .containsExactly("drone 'quadrotor' is labelled attack, espionage, 1.25 kg");
+                .startsWith("drone 'quadrotor' is labelled attack, espionage, 1.25 kg");
     }
 
     @Test

@@ -13,6 +13,7 @@ import org.dronewatch.flight.TerrainFollowing;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.World;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -101,6 +102,18 @@ class PlacedSceneTest {
         assertNear(one.points().get(1), 0, 0, 50);
         TerrainFollowing two = (TerrainFollowing) settings.drones().get("two").flight();
         assertNear(new Position(two.points().get(0).x(), two.points().get(0).y(), 0), 0, 55.6146, 0);
+    }
+
+    @Test
+    void aPointInPlanMayNameItsCoordinates() throws IOException {
+        String named =
+                SITE.replace("{latitude: 50.0005 deg, longitude: 15.0 deg}, [0, 0]", "{east: 3, north: 40}, [0, 0]");
+        TerrainFollowing two =
+                (TerrainFollowing) runner(named).settings().drones().get("two").flight();
+        assertThat(two.points().get(0)).isEqualTo(new GroundPoint(3, 40));
+        assertThat(refusal(named.replace("north: 40}", "north: 40, above: 3 m}")))
+                .contains("points.0: unknown setting 'above'")
+                .hasLineCount(1);
     }
 
     /** Overrides of the site move what stands on it. */

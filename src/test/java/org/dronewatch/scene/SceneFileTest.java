@@ -261,7 +261,9 @@ class SceneFileTest {
                 "drones: {a: {model: x.obj, flight: {}}}        | 2:21: drones.a.model.file: file 'x.obj' does"
                         + " not exist",
                 "drones: {a: {model: packaged:hill.obj, flight: {kind: hoover}}} | did you mean 'hover'?",
-                "drones: {a: {model: packaged:hill.obj, flight: {kind: zigzagging}}} | a kind from another jar needs that jar",
+                "drones: {a: {model: packaged:hill.obj, flight: {kind: zigzagging}}} | track); a kind from another jar needs that jar",
+                "sensors: {a: {kind: microphone}}               | unknown kind 'microphone'; did you mean 'acoustic'?",
+                "sensors: {a: {kind: radio}}                    | unknown kind 'radio'; did you mean 'rf'?",
                 "drones: {a: {model: packaged:hill.obj, flight: {kind: inbound, nearst: 5}}} | did you mean 'standoff'?",
                 "drones: {a: {model: packaged:hill.obj, flight: {}}}             | needs a 'kind': one of"
                         + " hover, approach",

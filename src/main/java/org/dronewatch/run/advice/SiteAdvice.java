@@ -73,7 +73,7 @@ public record SiteAdvice(SceneSettings settings, World world) {
         List<String> leftOver = surfaces.leftOver(world.materialNames());
         if (!leftOver.isEmpty() && isListening()) {
             target.accept("no acoustic surface is assigned to " + String.join(", ", leftOver) + ": treated as '"
-                    + surfaces.defaultSurface() + "'");
+                    + surfaces.defaultSurface() + "'; world.surfaces.materials assigns others");
         }
         surfaces.unused(world.materialNames())
                 .forEach(name -> target.accept("world.surfaces.own." + name

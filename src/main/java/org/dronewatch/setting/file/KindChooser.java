@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dronewatch.setting.KindRegistry;
 import org.dronewatch.setting.SettingsForm;
 
 /**
@@ -54,12 +53,7 @@ final class KindChooser {
         }
         String kind = given instanceof Node.Scalar scalar ? scalar.text() : "";
         if (!choices.containsKey(kind)) {
-            problems.unknownKind(
-                    given.mark(),
-                    path + "." + KIND,
-                    kind,
-                    choices.keySet(),
-                    KindRegistry.found().knows(type));
+            problems.unknownKind(given.mark(), path + "." + KIND, kind, choices.keySet(), type);
             return Optional.empty();
         }
         return Optional.of(new Chosen(SettingsForm.of(choices.get(kind)), mapping.without(List.of(KIND))));

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.KindRegistry;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
@@ -34,15 +35,17 @@ final class Problems {
         unknown(mark, field, what, name, known, Spelling.didYouMean(name, known));
     }
 
-    /**
-     * Adds that there is no kind with this name.
-     *
-     * @param open whether other jars may bring kinds
-     */
-    void unknownKind(Mark mark, String field, String name, Collection<String> known, boolean open) {
-        String meant = Spelling.didYouMean(name, known);
-        String jar = "; a kind from another jar needs that jar on the class path";
-        unknown(mark, field, KindChooser.KIND, name, known, meant.isEmpty() && open ? jar : meant);
+    /** Adds that there is no kind with this name, and which one may be meant. */
+    void unknownKind(Mark mark, String field, String name, Collection<String> known, Class<?> type) {
+        KindRegistry kinds = KindRegistry.found();
+        String meant = kinds.describedAs(type, name)
+                .or(() -> Spelling.meant(name, known))
+                .map(Spelling::question)
+                .orElse("");
+        String jar = meant.isEmpty() && kinds.knows(type)
+                ? "; a kind from another jar needs that jar on the class path"
+                : "";
+        add(mark, field, unknown(KindChooser.KIND, name, known, meant) + jar);
     }
 
     /** Adds that a record has no part with this name. */
@@ -54,7 +57,11 @@ final class Problems {
 
     private void unknown(
             Mark mark, String field, String what, String name, Collection<String> known, String suggestion) {
-        add(mark, field, "unknown " + what + " '" + name + "'" + suggestion + " (" + String.join(", ", known) + ")");
+        add(mark, field, unknown(what, name, known, suggestion));
+    }
+
+    private static String unknown(String what, String name, Collection<String> known, String suggestion) {
+        return "unknown " + what + " '" + name + "'" + suggestion + " (" + String.join(", ", known) + ")";
     }
 
     int count() {
