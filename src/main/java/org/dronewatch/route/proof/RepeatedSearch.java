@@ -72,10 +72,10 @@ public final class RepeatedSearch {
     }
 
     /**
-     * Searches, for the sectors from which detections come too late, for the routes that are least exposed all the
-     * way, and assesses the looks along them: on these routes, a detection in time may be just as likely, but a
-     * detection at any time, late ones included, is less likely. This search, too, is repeated with what the looks
-     * show added. It is made once for each sector; this method has to be called again after the search for detections in time has been
+     * Searches, for the sectors from which detections come too late, for the routes that are least exposed all the way,
+     * and assesses the looks along them: on these routes, a detection in time may be just as likely, but a detection at
+     * any time, late ones included, is less likely. This search, too, is repeated with what the looks show added. It is
+     * made once for each sector; this method has to be called again after the search for detections in time has been
      * {@linkplain #repeat repeated}.
      *
      * @param progress receives 1 after each search, of which there are at most {@link #MOST} + 1

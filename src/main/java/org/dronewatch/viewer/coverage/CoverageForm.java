@@ -32,8 +32,8 @@ import org.dronewatch.viewer.part.Texts;
 import org.dronewatch.world.World;
 
 /**
- * The inputs of a coverage, with the defaults of the {@code coverage} command, except where all sensors are under a roof
- * and the site is smaller than the default area: the side is then that of the site, and the heights are below the
+ * The inputs of a coverage, with the defaults of the {@code coverage} command, except where all sensors are under a
+ * roof and the site is smaller than the default area: the side is then that of the site, and the heights are below the
  * ceiling.
  */
 public final class CoverageForm extends JPanel {
