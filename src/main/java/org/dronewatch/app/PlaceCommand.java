@@ -72,7 +72,7 @@ final class PlaceCommand implements Callable<Integer> {
     private String file;
 
     @Option(names = "--budget", paramLabel = "N", description = "Budget in place of the one in the file.")
-    private Double budget;
+    private String budget;
 
     @Option(
             names = "--cell",
@@ -149,7 +149,7 @@ final class PlaceCommand implements Callable<Integer> {
         PlacePlan read = PlacePlan.read(given, this::configure, shown.notes());
         PlacePlan fine =
                 cell == null ? read : read.withCell((double) FieldOptions.value("cell", cell, FieldGrid.class, "cell"));
-        PlacePlan plan = budget == null ? fine : fine.withBudget(budget);
+        PlacePlan plan = budget == null ? fine : fine.withBudget(budget());
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
                 attacks.check(plan, seed.number());
@@ -229,8 +229,8 @@ final class PlaceCommand implements Callable<Integer> {
         if (!(gap >= 0.0 && gap <= 1.0)) {
             throw new InputException("--gap " + gap + ": must be 0 to 1");
         }
-        if (budget != null && !(budget >= 0.0 && budget <= DEAREST)) {
-            throw new InputException("--budget " + budget + ": must be 0 to 1e12");
+        if (budget != null) {
+            budget();
         }
         if (budgets < 1 || budgets > FrontSearch.MOST) {
             throw new InputException("--budgets " + budgets + ": must be 1 to " + FrontSearch.MOST);
@@ -244,6 +244,19 @@ final class PlaceCommand implements Callable<Integer> {
 
     private static double seconds(String text) {
         double seconds;
+    private double budget() {
+        double amount;
+        try {
+            amount = Quantity.NUMBER.parse(budget);
+        } catch (IllegalArgumentException e) {
+            throw new InputException(GivenOption.words("--budget", budget) + ": " + e.getMessage(), e);
+        }
+        if (!(amount >= 0.0 && amount <= DEAREST)) {
+            throw new InputException(GivenOption.words("--budget", budget) + ": must be 0 to 1e12");
+        }
+        return amount;
+    }
+
         try {
             seconds = Quantity.DURATION.parse(text);
         } catch (IllegalArgumentException e) {

@@ -100,16 +100,21 @@ public final class Limits {
 
     /**
      * Why a number is refused, in the unit in which it was written if that is not the usual one, as in {@code
-     * rotorSpeed 90000 rpm must be above 0 and at most 60000 rpm}.
+     * rotorSpeed 90000 rpm must be above 0 and at most 60000 rpm}. One that is too great for any number is repeated as
+     * it was written, as in {@code budget 1e400 must be 0 to 1e12}.
      *
      * @param part a component whose value is not within its limits
      * @param written the number as a text, with a unit that can be read
-     * @return empty for a number without a unit or in the usual one
+     * @return empty for other numbers without a unit or in the usual one
      */
     public static Optional<String> refusal(RecordComponent part, String written) {
         In limits = part.getAnnotation(In.class);
+        if (limits != null && !Double.isFinite(limits.value().parse(written))) {
+            String words = inWords(limits);
+            return Optional.of(
+                    part.getName() + " " + written.strip() + " must be " + (words.isEmpty() ? "finite" : words));
+        }
         return Optional.ofNullable(limits)
-                .filter(in -> Double.isFinite(in.value().parse(written)))
                 .flatMap(in -> WrittenUnit.of(in.value(), written))
                 .map(unit -> part.getName() + " " + written.strip() + " must be "
                         + inWords(limits, value -> Quantity.plain(unit.number(value)), " " + unit.name()));

@@ -199,7 +199,8 @@ class PlaceCommandTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "budget: -1                                       | 'budget -1 must be 0 to 1e12'",
+                "budget: -1                                       | ': budget -1 must be 0 to 1e12'",
+                "budget: 1e400                                    | ': budget 1e400 must be 0 to 1e12'",
                 "budget: 1 and: more                              | 'unknown'",
                 "keep: [x]                                        | 'keep: there is no enabled sensor ''x'''",
                 "drone: two                                       | 'drone two: there is no such drone'",
@@ -228,12 +229,46 @@ class PlaceCommandTest {
         assertThat(refused.code()).as(refused.err()).isEqualTo(2);
         assertThat(refused.err())
                 .contains(message.replace("unknown", "bad.place.yaml:"))
-                .doesNotContain("\tat ");
+                .doesNotContain("\tat ", "budget: budget");
         assertThat(directory.resolve("refused")).doesNotExist();
     }
 
     /** The page's example: its table of what each sensor covers, and the sentences below it. */
     @Test
+    @ParameterizedTest
+    @CsvSource({
+        "-5, must be 0 to 1e12",
+        "1e400, must be 0 to 1e12",
+        "2e12, must be 0 to 1e12",
+        "much, 'much' is not a number without a unit"
+    })
+    void namesTheBudgetThatIsNone(String budget, String message) {
+        Outcome refused = place(file, "--budget=" + budget);
+
+        assertThat(refused.code()).isEqualTo(2);
+        assertThat(refused.err().strip()).isEqualTo("--budget " + budget + ": " + message);
+    }
+
+    /** The losses that count in the search stand beside those on the worst heading, and each figure says which it is. */
+    @Test
+    void theReportSaysWhichHeadingCounts() throws IOException {
+        String page = Files.readString(directory.resolve("report.html"));
+
+        assertThat(page)
+                .containsPattern("class=\"verdict\">[^<]* of the airspace, averaged over eight headings; no layout")
+                .containsPattern("class=\"verdict\">[^<]*Today's sensor covers \\S+ %, averaged over eight headings\\.")
+                .containsPattern("class=\"verdict\">[^<]*On the heading that is worst in each cell, the layout covers "
+                        + percent(json.get("worst_heading")) + " %")
+                .contains(">all heights, averaged over eight headings</th>");
+        assertThat(page.split("This table states the coverage averaged over eight headings[.]"))
+                .hasSize(3);
+        for (JsonNode sensor : json.get("chosen")) {
+            assertThat(page)
+                    .containsPattern("<td[^>]*>without " + sensor.get("sensor").asString() + "</td><td[^>]*>"
+                            + percent(sensor.get("without")) + " %</td>");
+        }
+    }
+
     void thePageStatesTheLayoutAtMonaco() throws IOException {
         assumeTrue(LongForm.IS_ON, "takes some ten seconds");
         String page = Files.readString(Path.of("src", "site", "markdown", "placement.md"));

@@ -26,7 +26,9 @@ final class Problems {
      * @param field path of the setting, empty for the whole document
      */
     void add(Mark mark, String field, String message) {
-        String line = PlainText.line(mark + ": " + (field.isEmpty() ? "" : field + ": ") + message);
+        // Messages on a number begin with its name, which at the top of a file is its path as well.
+        boolean isNamed = field.isEmpty() || message.startsWith(field + " ");
+        String line = PlainText.line(mark + ": " + (isNamed ? "" : field + ": ") + message);
         found.add(new Problem(mark, PlainText.beginning(line, LONGEST)));
     }
 
