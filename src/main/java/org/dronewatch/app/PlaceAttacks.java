@@ -9,7 +9,6 @@ import java.util.Optional;
 import org.dronewatch.app.console.Interruption;
 import org.dronewatch.app.console.TaskProgress;
 import org.dronewatch.app.option.PathWord;
-import org.dronewatch.app.option.ShellWord;
 import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.CampaignReader;
 import org.dronewatch.campaign.CampaignRun;
@@ -21,11 +20,13 @@ import org.dronewatch.placement.SolverLimits;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.Layout;
 import org.dronewatch.placement.site.LeftOut;
+import org.dronewatch.report.file.ShellWord;
 import org.dronewatch.report.placement.AttackedPlaceResults;
 import org.dronewatch.report.placement.PlaceResults;
 import org.dronewatch.report.placement.UnattackedPlaceResults;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.GivenScene;
+import org.dronewatch.scene.SceneFile;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsPath;
@@ -177,16 +178,21 @@ final class PlaceAttacks {
         return interruption.isOutOfTime() ? results.without(LeftOut.ATTACKS, limits) : results;
     }
 
+    /** The scene as a word of a command line: files name it relative to their own directory, commands do not. */
+    private static String scene(PlacePlan plan) {
+        String name = plan.settings().scene();
+        return SceneFile.isFileName(name)
+                ? ShellWord.of(plan.scene().directory().resolve(Path.of(name).getFileName()))
+                : ShellWord.of(name);
+    }
+
     /**
-     * The comparison that gives the same figures.
+     * The comparison that gives the same figures, in the words that follow the layout.
      *
      * @param cases number of attacks, in place of the one in the campaign file
      */
     private String again(PlacePlan plan, Optional<Long> seed, List<String> overrides, Optional<Integer> cases) {
-        StringBuilder words = new StringBuilder("compare layout.yaml ")
-                .append(ShellWord.of(plan.settings().scene()))
-                .append(" --vary ")
-                .append(ShellWord.of(file));
+        StringBuilder words = new StringBuilder(scene(plan)).append(" --vary ").append(ShellWord.of(file));
         overrides.forEach(one -> words.append(" --set ").append(ShellWord.of(one)));
         return words
                 + cases.map(one -> " --runs " + one).orElse("")

@@ -153,6 +153,9 @@ final class PlaceCommand implements Callable<Integer> {
         try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
             return threads.call(() -> {
                 attacks.check(plan, seed.number());
+                if (target != null) {
+                    target.foresee(plan, shown.notes());
+                }
                 PlaceResults results = attacks.flown(
                         results(given, plan, limits, shown),
                         seed.number(),
@@ -161,32 +164,31 @@ final class PlaceCommand implements Callable<Integer> {
                         main.interruption(),
                         shown);
                 main.interruption().letFinish();
-                boolean hasScene = target != null
-                        && target.write(results, provenance(given, plan), threads.number(), shown.notes());
-                return printed(results, hasScene);
+                Optional<String> layout = target == null
+                        ? Optional.empty()
+                        : target.write(results, provenance(given, plan), threads.number(), shown.notes());
+                return printed(results, layout);
             });
         }
     }
 
-    /** Prints the results; returns the exit code: that of a failure if no attack could be flown. */
-    private int printed(PlaceResults results, boolean hasScene) {
+    /**
+     * Prints the results; returns the exit code: that of a failure if no attack could be flown.
+     *
+     * @param layout the file of the layout, as a word of a command line; empty if it was not written
+     */
+    private int printed(PlaceResults results, Optional<String> layout) {
         PrintWriter err = spec.commandLine().getErr();
         Optional<AttackedPlaceResults> attacked =
                 results instanceof AttackedPlaceResults its ? Optional.of(its) : Optional.empty();
         json.print(results::toJson, target -> {
             results.lines().forEach(target::println);
-            if (hasScene) {
-                attacked.map(AttackedPlaceResults::found)
-                        .orElse(results)
-                        .reproduction()
-                        .forEach(target::println);
-            }
+            layout.map(attacked.map(AttackedPlaceResults::found).orElse(results)::reproduction)
+                    .ifPresent(sentences -> sentences.forEach(target::println));
             attacked.ifPresent(its -> {
                 target.println();
                 CampaignLines.print(its.plan(), its.result(), target);
-                if (hasScene) {
-                    target.println(its.sentence());
-                }
+                layout.map(its::sentence).ifPresent(target::println);
             });
         });
         if (results.isInterrupted()) {
@@ -242,8 +244,6 @@ final class PlaceCommand implements Callable<Integer> {
                 () -> interruption.happened() && !interruption.isOutOfTime());
     }
 
-    private static double seconds(String text) {
-        double seconds;
     private double budget() {
         double amount;
         try {
@@ -257,6 +257,8 @@ final class PlaceCommand implements Callable<Integer> {
         return amount;
     }
 
+    private static double seconds(String text) {
+        double seconds;
         try {
             seconds = Quantity.DURATION.parse(text);
         } catch (IllegalArgumentException e) {

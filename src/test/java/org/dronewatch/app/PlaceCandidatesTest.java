@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.FieldSite;
@@ -192,8 +193,38 @@ class PlaceCandidatesTest {
         Path file = PlacedSite.in(directory, "budget: 4\n");
         Outcome outcome = Program.run("place", file.toString(), "--budgets=1", "--quiet", "--out=" + directory);
 
-        assertThat(outcome.out()).contains("'coverage layout.yaml --");
-        assertThat(Files.readString(directory.resolve("report.html"))).contains("'coverage layout.yaml --");
+        String command = "'dronewatch coverage " + directory.resolve("layout.yaml") + " --";
+        assertThat(outcome.out()).contains(command);
+        assertThat(Files.readString(directory.resolve("report.html"))).contains(command);
+    }
+
+    /** The directory that is named takes the layout, even if that of the scene has the results of another command. */
+    @Test
+    void theDirectoryThatIsAdvisedWillDo() throws Exception {
+        Path site = Files.createDirectory(directory.resolve("site"));
+        String file = PlacedSite.in(site, "budget: 4\n").toString();
+        Path elsewhere = directory.resolve("layout");
+
+        assertThat(advised(file, elsewhere)).isEqualTo(site);
+        Files.writeString(site.resolve("route.json"), "{}");
+        assertThat(advised(file, elsewhere)).isEqualTo(directory);
+        assertThat(Program.run("place", file, "--budgets=1", "--out=" + directory)
+                        .complaints())
+                .noneMatch(line -> line.startsWith("warning: the layout is not written"));
+        assertThat(directory.resolve("layout.yaml")).isNotEmptyFile();
+    }
+
+    /** The directory that the warning, which is given only once, advises. */
+    private static Path advised(String file, Path out) {
+        Outcome outcome = Program.run("place", file, "--budgets=1", "--quiet", "--out=" + out);
+        List<String> warnings = outcome.err()
+                .lines()
+                .filter(line -> line.startsWith("warning: the layout is not written as a scene"))
+                .toList();
+        assertThat(warnings).as(outcome.err()).hasSize(1);
+        Matcher advice = Pattern.compile("; '--out (.*)' would do$").matcher(warnings.get(0));
+        assertThat(advice.find()).as(warnings.get(0)).isTrue();
+        return Path.of(advice.group(1));
     }
 
     /** A cheaper layout that prints alike takes the place of the best one only where a gap is allowed. */

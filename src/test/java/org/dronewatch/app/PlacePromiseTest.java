@@ -21,7 +21,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** What {@code place} promises of a layout is what {@code coverage} finds for its scene. */
 class PlacePromiseTest {
-    private static final Pattern COMMAND = Pattern.compile("'coverage layout.yaml (.*)' gives");
+    private static final Pattern COMMAND = Pattern.compile("'dronewatch (coverage .*)' gives");
 
     @TempDir
     private Path directory;
@@ -38,9 +38,7 @@ class PlacePromiseTest {
         assertThat(place.code()).as(place.err()).isZero();
         Matcher command = COMMAND.matcher(place.out());
         assertThat(command.find()).as(place.out()).isTrue();
-        List<String> words = new ArrayList<>(
-                List.of("coverage", directory.resolve("layout.yaml").toString()));
-        words.addAll(List.of(command.group(1).split(" ")));
+        List<String> words = new ArrayList<>(List.of(command.group(1).split(" ")));
         words.add("--out=" + directory.resolve("field"));
         Outcome coverage = Program.run(words.toArray(String[]::new));
         assertThat(coverage.code()).as(coverage.err()).isZero();

@@ -35,15 +35,12 @@ record PlacedLayout(Path directory, Outcome outcome) {
                 .readTree(directory.resolve("place.json").toFile());
     }
 
-    /** Runs the command that it prints for the layout, with more options. */
+    /** Runs the command that it prints for the layout, word for word, with more options. */
     Outcome again(String command, String... more) {
         Matcher printed =
-                Pattern.compile("'(" + command + " layout.yaml .*?)' gives").matcher(outcome.out());
+                Pattern.compile("'dronewatch (" + command + " .*?)' gives").matcher(outcome.out());
         assertThat(printed.find()).as(outcome.out()).isTrue();
-        List<String> words = new ArrayList<>();
-        for (String word : printed.group(1).split(" ")) {
-            words.add(word.endsWith(".yaml") ? directory.resolve(word).toString() : word);
-        }
+        List<String> words = new ArrayList<>(List.of(printed.group(1).split(" ")));
         words.addAll(Arrays.asList(more));
         Outcome again = Program.run(words.toArray(String[]::new));
         assertThat(again.code()).as(again.err()).isZero();

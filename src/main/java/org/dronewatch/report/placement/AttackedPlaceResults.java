@@ -20,7 +20,7 @@ import tools.jackson.databind.node.ObjectNode;
  * @param found what the search found
  * @param plan the campaign: its variants are the layouts
  * @param result the results of the campaign
- * @param again the command that reproduces the figures of the campaign
+ * @param again what follows the layout in the {@code compare} command that reproduces the figures of the campaign
  */
 public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, CampaignResult result, String again)
         implements FoundPlaceResults {
@@ -66,14 +66,19 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
     }
 
     @Override
-    public List<String> reproduction() {
-        List<String> sentences = new ArrayList<>(found.reproduction());
-        sentences.add(sentence());
+    public List<String> reproduction(String layout) {
+        List<String> sentences = new ArrayList<>(found.reproduction(layout));
+        sentences.add(sentence(layout));
         return sentences;
     }
 
-    /** The command that reproduces the figures of the campaign, in a sentence. */
-    public String sentence() {
-        return "'" + again + "' gives the same figures of the attacks, and the deciding cases.";
+    /**
+     * The command that reproduces the figures of the campaign, in a sentence.
+     *
+     * @param layout the file of the layout, as a word of a command line
+     */
+    public String sentence(String layout) {
+        return "'dronewatch compare " + layout + " " + again
+                + "' gives the same figures of the attacks, and the deciding cases.";
     }
 }

@@ -61,10 +61,10 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
     }
 
     @Override
-    public List<String> reproduction() {
+    public List<String> reproduction(String layout) {
         return fields.stream()
-                .map(its ->
-                        "'coverage layout.yaml " + SameCoverage.options(best()) + "' gives the figures of the layout.")
+                .map(its -> "'dronewatch coverage " + layout + " " + SameCoverage.options(best())
+                        + "' gives the figures of the layout.")
                 .toList();
     }
 

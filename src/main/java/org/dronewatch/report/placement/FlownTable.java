@@ -110,9 +110,13 @@ final class FlownTable {
         return words;
     }
 
-    /** How to fly the routes past the layout again, in a sentence; empty if there are none. */
-    Optional<String> reproduction() {
-        return layout.map(flown -> "'route layout.yaml " + SameRoute.options(best, flown.inputs())
+    /**
+     * How to fly the routes past the layout again, in a sentence; empty if there are none.
+     *
+     * @param scene the file of the layout, as a word of a command line
+     */
+    Optional<String> reproduction(String scene) {
+        return layout.map(flown -> "'dronewatch route " + scene + " " + SameRoute.options(best, flown.inputs())
                 + "' gives the figures of the layout" + asItIs() + ", and a scene for each route.");
     }
 

@@ -37,7 +37,7 @@ interface FoundPlaceResults extends PlaceResults {
     }
 
     @Override
-    default List<String> reproduction() {
-        return found().reproduction();
+    default List<String> reproduction(String layout) {
+        return found().reproduction(layout);
     }
 }

@@ -14,6 +14,7 @@ import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.Layout;
 import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.OutputDirectory;
+import org.dronewatch.report.file.ShellWord;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
@@ -37,6 +38,7 @@ public final class PlaceDirectory implements AutoCloseable {
 
     private final Path target;
     private final OutputDirectory directory;
+    private String warned = "";
 
     /**
      * Makes sure that the directory can be written, before the work begins.
@@ -55,17 +57,21 @@ public final class PlaceDirectory implements AutoCloseable {
      * @param provenance origin of the results
      * @param threads number of worker threads
      * @param notes receives a line on what could not be written
-     * @return whether the layout is written as a scene
+     * @return the file in which the layout is written as a scene, as a word of a command line; empty if it is not
      * @throws InputException when writing fails
      */
-    public boolean write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
+    public Optional<String> write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
         PlacePlan plan = results.best().plan();
         directory.write(() -> {
             Optional<SceneSettings> layout = writeCommon(results, provenance, threads, notes);
             writeReport(results, layout, provenance.inWords(plan.present().run().seed(), threads));
             directory.publish(directory.former(NUMBERS, FILES));
         });
-        return Files.exists(target.resolve(SCENE));
+        return Files.exists(target.resolve(SCENE)) ? Optional.of(scene()) : Optional.empty();
+    }
+
+    private String scene() {
+        return ShellWord.of(target.resolve(SCENE));
     }
 
     /** The numbers, their provenance, and the layout as a scene; gives its settings, if they are consistent. */
@@ -82,10 +88,36 @@ public final class PlaceDirectory implements AutoCloseable {
             String text = plan.runner().text(layout.get(), target.resolve(SCENE));
             Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
         } catch (InputException e) {
-            notes.accept(
-                    "warning: the layout is not written as a scene, so there is no layout.yaml: " + e.getMessage());
+            warn(plan, layout, e, notes);
         }
         return layout;
+    }
+
+    /**
+     * Says at once if the layout cannot be written as a scene, whatever its sensors are: a search takes its time.
+     *
+     * @param notes receives the line
+     */
+    public void foresee(PlacePlan plan, Consumer<String> notes) {
+        SceneSettings site = SceneSettings.of(plan.present().world());
+        try {
+            plan.runner().text(site, target.resolve(SCENE));
+        } catch (InputException e) {
+            warn(plan, Optional.of(site), e, notes);
+        }
+    }
+
+    /** Says, but only once, why the scene is not written and which directory would do. */
+    private void warn(PlacePlan plan, Optional<SceneSettings> scene, InputException cause, Consumer<String> notes) {
+        String instead = scene.flatMap(its -> LayoutDirectories.nearest(plan, its, SCENE))
+                .map(directory -> "; '--out " + ShellWord.of(directory) + "' would do")
+                .orElse("");
+        String line = "warning: the layout is not written as a scene, so there is no " + SCENE + ": "
+                + cause.getMessage() + instead;
+        if (!line.equals(warned)) {
+            notes.accept(line);
+            warned = line;
+        }
     }
 
     private void writeReport(PlaceResults results, Optional<SceneSettings> layout, Map<String, String> provenance)
@@ -102,7 +134,7 @@ public final class PlaceDirectory implements AutoCloseable {
                     page,
                     pictures,
                     layout.orElseGet(() -> Layout.alone(plan, results.best().chosen())),
-                    Files.exists(directory.file(SCENE)) ? results.reproduction() : List.of(),
+                    Files.exists(directory.file(SCENE)) ? results.reproduction(scene()) : List.of(),
                     provenance);
         }
     }

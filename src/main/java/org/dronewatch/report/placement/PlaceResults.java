@@ -54,8 +54,12 @@ public interface PlaceResults {
     /** The lines of the results: tables and sentences. */
     List<String> lines();
 
-    /** The commands that reproduce these figures if the scene of the layout has been written, in sentences. */
-    List<String> reproduction();
+    /**
+     * The commands that reproduce these figures, in sentences.
+     *
+     * @param layout the file in which the layout has been written as a scene, as a word of a command line
+     */
+    List<String> reproduction(String layout);
 
     /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
     ObjectNode toJson();

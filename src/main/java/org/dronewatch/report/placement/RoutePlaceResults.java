@@ -115,8 +115,9 @@ public record RoutePlaceResults(
     }
 
     @Override
-    public List<String> reproduction() {
-        return new FlownTable(layout, present, best()).reproduction().stream().toList();
+    public List<String> reproduction(String scene) {
+        return new FlownTable(layout, present, best())
+                .reproduction(scene).stream().toList();
     }
 
     /** That flights may show weaker routes than the figures promise, in a sentence; empty if they do not. */

@@ -11,6 +11,7 @@ import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.PlacedLayout;
+import org.dronewatch.report.file.ShellWord;
 
 /** The options with which {@code coverage} assesses the scene of a layout in the same cells and on the same terms. */
 final class SameCoverage {
@@ -25,7 +26,7 @@ final class SameCoverage {
         FieldGrid grid = placement.grid();
         List<String> words = new ArrayList<>();
         if (air.area().isPresent()) {
-            words.add("--area " + air.area().get());
+            words.add("--area " + ShellWord.of(air.area().get()));
         } else {
             words.add("--centre=" + metres(grid.east()) + "," + metres(grid.north()));
             words.add("--side " + exact(grid.side()));
@@ -53,7 +54,7 @@ final class SameCoverage {
                 .findFirst()
                 .filter(plan.drone()::equals)
                 .isPresent();
-        return isFirst ? Optional.empty() : Optional.of("--drone " + plan.drone());
+        return isFirst ? Optional.empty() : Optional.of("--drone " + ShellWord.of(plan.drone()));
     }
 
     /** A coordinate, without what rounding has left of 0. */

@@ -75,9 +75,9 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
     }
 
     @Override
-    public List<String> reproduction() {
+    public List<String> reproduction(String layout) {
         return warnings.stream()
-                .map(its -> "'coverage layout.yaml " + SameCoverage.options(best())
+                .map(its -> "'dronewatch coverage " + layout + " " + SameCoverage.options(best())
                         + "' gives these warnings of the layout.")
                 .toList();
     }
