@@ -51,7 +51,7 @@ class PlaceCandidatesTest {
     @Test
     void aBudgetBelowAllPricesIsStated() throws Exception {
         assertThat(placed("budget: 0.5\n"))
-                .contains("No sensor is affordable: the cheapest, eye-1-0, costs 1, and the budget is 0.5.")
+                .contains("No sensor is affordable: the cheapest, eye-1-0, costs 1 EUR, and the budget is 0.5 EUR.")
                 .doesNotContain("Buying nothing");
     }
 
@@ -269,7 +269,7 @@ class PlaceCandidatesTest {
     void aLossTakesAlongWhatItCued() throws Exception {
         assertThat(turning("budget: 6\n"))
                 .containsPattern(
-                        "Without (\\S+), whose loss is worst, the layout covers 0\\.0 %\\. Without \\1, nothing"
+                        "Without (\\S+), whose loss is worst, the layout covers 0\\.0 %, averaged over eight headings\\. Without \\1, nothing"
                                 + " cues eye-1-turn, which then counts as detecting nothing\\.")
                 .contains(
                         "After a loss, the coverage by height still counts sensors that nothing cues any more as turned"

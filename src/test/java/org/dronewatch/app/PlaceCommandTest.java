@@ -62,6 +62,7 @@ class PlaceCommandTest {
                         "gap",
                         "cost",
                         "chosen",
+                        "silent_drone",
                         "present",
                         "front",
                         "budgets",
@@ -187,11 +188,12 @@ class PlaceCommandTest {
     @Test
     void itPrintsWhatTheLayoutIsWorth() {
         assertThat(outcome.out())
-                .contains("best layout from 15 candidates for a budget of 6, in the order in which to buy:")
+                .contains("best layout from 15 candidates for a budget of 6 EUR, judged by its coverage averaged over"
+                        + " eight headings, in the order in which to buy:")
                 .contains("The layout covers ")
                 .contains("The scene's own sensor covers ")
                 .contains(", whose loss is worst, the layout covers ")
-                .contains("best layout for each budget:")
+                .contains("best layout for each budget, costs in EUR, judged by its coverage averaged over eight")
                 .contains("coverage on the heading that is worst in each cell");
     }
 
@@ -233,8 +235,6 @@ class PlaceCommandTest {
         assertThat(directory.resolve("refused")).doesNotExist();
     }
 
-    /** The page's example: its table of what each sensor covers, and the sentences below it. */
-    @Test
     @ParameterizedTest
     @CsvSource({
         "-5, must be 0 to 1e12",
@@ -249,7 +249,7 @@ class PlaceCommandTest {
         assertThat(refused.err().strip()).isEqualTo("--budget " + budget + ": " + message);
     }
 
-    /** The losses that count in the search stand beside those on the worst heading, and each figure says which it is. */
+    /** The losses that count in the search stand beside those on the worst heading; each figure says which it is. */
     @Test
     void theReportSaysWhichHeadingCounts() throws IOException {
         String page = Files.readString(directory.resolve("report.html"));
@@ -269,6 +269,8 @@ class PlaceCommandTest {
         }
     }
 
+    /** The page's example: its table of what each sensor covers, and the sentences below it. */
+    @Test
     void thePageStatesTheLayoutAtMonaco() throws IOException {
         assumeTrue(LongForm.IS_ON, "takes some ten seconds");
         String page = Files.readString(Path.of("src", "site", "markdown", "placement.md"));

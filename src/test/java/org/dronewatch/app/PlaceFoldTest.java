@@ -43,7 +43,7 @@ class PlaceFoldTest {
         assertThat(outcome.out())
                 .contains("coverage by one sensor or more on the heading that is worst in each cell")
                 .contains("; the layout was chosen for what 2 sensors or more cover.")
-                .contains("of the known cells with 2 sensors or more.");
+                .contains("of the known cells with 2 sensors or more; the scene's own sensors cover 0.0 %.");
         assertThat(page)
                 .contains("The table states the coverage by one sensor or more on the heading")
                 .contains("; the layout was chosen for what 2 sensors or more cover.");

@@ -83,8 +83,9 @@ class PlaceZonesTest {
         String report = Files.readString(directory.resolve("report.html"));
 
         assertThat(outcome.out())
-                .containsPattern("The layout covers \\d+\\.\\d % of the weighted airspace \\(")
-                .contains("coverage of each zone, unweighted, in % of its cells:")
+                .containsPattern(
+                        "The layout covers \\d+\\.\\d % of the weighted airspace, averaged over eight headings \\(")
+                .contains("coverage of each zone, unweighted, in % of its cells, averaged over eight headings:")
                 .containsPattern("(?m)^ +depot +4\\.5 +\\d+ +\\d+\\.\\d +\\d+\\.\\d$")
                 .containsPattern("(?m)^ +all other cells +1 +\\d+ +\\d+\\.\\d +\\d+\\.\\d$");
         assertThat(report).contains("Coverage by zone", "<td>depot</td>", "of the weighted airspace");

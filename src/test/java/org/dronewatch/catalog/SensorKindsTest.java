@@ -21,6 +21,7 @@ import org.dronewatch.sensor.Imaging;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.sensor.Outline;
 import org.dronewatch.sensor.Outlined;
+import org.dronewatch.sensor.RadioReceiving;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.sensor.camera.CameraSettings;
@@ -126,6 +127,7 @@ class SensorKindsTest {
         assertThat(having(Outlined.class)).containsExactly("camera", "acoustic", "radar", "thermal");
         assertThat(having(Imaging.class)).containsExactly("camera", "thermal");
         assertThat(having(DirectionFinding.class)).containsExactly("camera", "radar", "thermal");
+        assertThat(having(RadioReceiving.class)).containsExactly("rf");
         assertThat(having(SoundTracing.class)).containsExactly("acoustic");
     }
 

@@ -73,6 +73,12 @@ public record PlacePlan(
                                 : FieldTerms.Turning.CUED);
     }
 
+    /** Whether a layout within the budget must also meet conditions, or have a minimum number of some sensors. */
+    public boolean hasConditions() {
+        return !settings.conditions().equals(LayoutConditions.NONE)
+                || settings.candidates().values().stream().anyMatch(offer -> offer.atLeast() > 0);
+    }
+
     /** All sensors that the scene has now or that a layout may have. */
     public List<SensorSettings<?>> sensors() {
         List<SensorSettings<?>> sensors =

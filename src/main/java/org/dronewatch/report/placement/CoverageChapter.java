@@ -4,8 +4,10 @@ import static org.dronewatch.report.html.ReadableNumbers.number;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -40,7 +42,7 @@ final class CoverageChapter {
         if (results.fields().isPresent()) {
             LayoutFields fields = results.fields().get();
             sections.add(new PlaceChapter.Section("Coverage by height", byHeight(fields)));
-            sections.add(new PlaceChapter.Section("If a sensor fails", new Losses(fields.layout()).html()));
+            sections.add(new PlaceChapter.Section("If a sensor fails", losses(fields)));
             sections.add(new PlaceChapter.Section("Maps", PlaceReport.figures(pictures, shown(fields))));
         }
         return new PlaceChapter(new CoverageSentences(results).leastCovered(), pictures, sections, scope());
@@ -65,6 +67,7 @@ final class CoverageChapter {
         return Html.plain(
                         "p",
                         "The table states the coverage" + FieldsTable.byOne(fold) + FieldsTable.heading(fields)
+                                + (best.headings() > 1 ? ", not " + ShareMeasure.MEAN + " as in the tables above" : "")
                                 + ", in % of the known area at each height; the same after the loss of the sensor that"
                                 + " matters most there; and the largest gap. "
                                 + FieldsTable.worstPlace(fields.layout())
@@ -72,6 +75,24 @@ final class CoverageChapter {
                                         .map(sentence -> " " + sentence)
                                         .collect(Collectors.joining()))
                 + Html.table(head, rows);
+    }
+
+    /** The losses on the worst heading, beside those that count in the search: these may be those of other sensors. */
+    private String losses(LayoutFields fields) {
+        Losses losses = new Losses(fields.layout());
+        if (best.headings() == 1) {
+            return losses.html();
+        }
+        Map<String, String> without = new LinkedHashMap<>();
+        best.withoutEach().forEach((sensor, value) -> without.put(sensor, FrontWords.percent(value)));
+        return losses.html(Optional.of(new Losses.Total(
+                "The figures of each height count only the heading that is worst in each cell; those in the first"
+                        + " column are " + ShareMeasure.MEAN + ", as in 'What to buy'. A sensor that adds much to the"
+                        + " latter may add nothing to the former. ",
+                "the coverage" + FieldsTable.heading(fields),
+                "all heights, " + ShareMeasure.MEAN,
+                FrontWords.percent(best.value()),
+                without)));
     }
 
     private static List<String> figures(HeightSummary height) {

@@ -51,7 +51,7 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
         table.late().ifPresent(lines::add);
         table.early().ifPresent(lines::add);
         lines.addAll(new CoverageSentences(this).lines());
-        lines.addAll(new FrontWords(measure()).lines(front));
+        lines.addAll(new FrontWords(measure(), best().plan().hasConditions()).lines(front));
         lines.addAll(new ZoneTable(best()).lines());
         fields.ifPresent(its -> {
             lines.add("");

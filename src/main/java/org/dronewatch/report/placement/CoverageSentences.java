@@ -7,7 +7,6 @@ import org.dronewatch.analysis.field.FieldHeading;
 import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
-import org.dronewatch.report.file.Numbers;
 import org.dronewatch.setting.Counted;
 
 /** What the layout that covers the most air is worth, in sentences. */
@@ -26,11 +25,12 @@ final class CoverageSentences {
     List<String> lines() {
         PlaceTable table = new PlaceTable(best, results.measure());
         List<String> lines = new ArrayList<>(List.of(worth()));
+        new SilentDrone(best, results.measure()).sentence().ifPresent(lines::add);
         table.uncued().ifPresent(lines::add);
         table.byCondition().ifPresent(lines::add);
-        results.fields().ifPresent(fields -> lines.add(together(fields)));
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
+        results.fields().ifPresent(fields -> lines.add(together(fields)));
         return lines;
     }
 
@@ -40,14 +40,20 @@ final class CoverageSentences {
         }
         return "On the heading that is worst in each cell, the layout covers "
                 + FrontWords.percent(LayoutFields.share(fields.layout(), fold)) + " of the known cells"
-                + (fold > 1 ? " with " + fold + " sensors or more." : ".");
+                + (fold > 1 ? " with " + fold + " sensors or more" : "") + today(fields) + ".";
+    }
+
+    /** What the scene's own sensors cover on the same heading, as a clause; an empty text if there are none. */
+    private String today(LayoutFields fields) {
+        return fields.present()
+                .map(own -> "; the scene's own sensors cover " + FrontWords.percent(LayoutFields.share(own, fold)))
+                .orElse("");
     }
 
     private String worth() {
         String covered = "The layout covers " + FrontWords.percent(best.value())
-                + results.measure().whole() + " (" + Counted.of(best.cells(), "cell")
-                + (best.headings() > 1 ? ", " + best.headings() + " headings)" : ")") + " for "
-                + Numbers.text(best.result().cost());
+                + results.measure().whole() + " (" + Counted.of(best.cells(), "cell") + "), for "
+                + PlaceTable.amount(best.result().cost(), best.plan());
         boolean isBest = best.value() == best.bound();
         return covered
                 + (isBest
@@ -56,15 +62,14 @@ final class CoverageSentences {
                                 + FrontWords.moreThan(FrontWords.percent(best.bound())) + ".");
     }
 
-    /** Where the layout covers least; empty without a layout. */
+    /** What the layout covers on the worst heading, and where it covers least; empty without a layout. */
     String leastCovered() {
         return results.fields()
                 .map(fields -> {
                     HeightSummary least = leastCovered(fields);
-                    return "With all its sensors, the layout covers least at " + PlaceTable.text("%.0f", least.height())
-                            + " m above the ground:"
-                            + (best.headings() > 1 ? " on the heading that is worst in each cell, " : " ")
-                            + new HeightFigures(least).covered() + " %"
+                    return (best.headings() > 1 ? together(fields) + " On that heading" : "With all its sensors")
+                            + ", the layout covers least at " + PlaceTable.text("%.0f", least.height())
+                            + " m above the ground: " + new HeightFigures(least).covered() + " %"
                             + (fold > 1 ? ", counting every cell that at least one sensor covers." : ".");
                 })
                 .orElse("");

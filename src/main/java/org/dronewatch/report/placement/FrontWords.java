@@ -23,9 +23,16 @@ final class FrontWords {
     private static final String ROW = "%12s  %12s  %8s  %11s  %s";
 
     private final PlaceMeasure measure;
+    private final boolean hasConditions;
 
-    FrontWords(PlaceMeasure measure) {
+    /**
+     * Words for layouts.
+     *
+     * @param hasConditions whether layouts must meet any conditions besides the budget
+     */
+    FrontWords(PlaceMeasure measure, boolean hasConditions) {
         this.measure = measure;
+        this.hasConditions = hasConditions;
     }
 
     /** A table after an empty line, and what was tried besides; no table if there is only one layout. */
@@ -38,7 +45,8 @@ final class FrontWords {
             return lines;
         }
         lines.add("");
-        lines.add("best layout for each budget:");
+        lines.add("best layout for each budget, costs in "
+                + front.best().plan().present().prices().currency() + measure.purpose() + ":");
         lines.add(PlaceTable.text(ROW, "cost", "added cost", measure.heading(), "upper bound", "change"));
         double before = Double.NaN;
         for (FrontPoint<? extends PlacedLayout> point : points) {
@@ -71,15 +79,16 @@ final class FrontWords {
     }
 
     /** The budgets that are too low for the conditions, and those that may be, in sentences. */
-    private static List<String> unanswered(TriedBudgets tried, DoubleFunction<String> money) {
+    private List<String> unanswered(TriedBudgets tried, DoubleFunction<String> money) {
         List<String> sentences = new ArrayList<>();
         if (!tried.infeasible().isEmpty()) {
             sentences.add("No layout meets the conditions for these budgets, which were also tried: "
                     + list(tried.infeasible(), money) + ".");
         }
         if (!tried.unknown().isEmpty()) {
-            sentences.add("The search ended before it found a layout for these budgets, so it is not known whether one"
-                    + " meets the conditions: " + list(tried.unknown(), money) + ".");
+            sentences.add("The search ended before it found a layout for these budgets"
+                    + (hasConditions ? ", so it is not known whether one meets the conditions" : "")
+                    + ": " + list(tried.unknown(), money) + ".");
         }
         return sentences;
     }

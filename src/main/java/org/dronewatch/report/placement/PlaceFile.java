@@ -54,6 +54,7 @@ final class PlaceFile {
             ArrayNode names = root.putArray("uncued");
             uncued.forEach(names::add);
         }
+        new SilentDrone(layout, results.measure()).add(root);
         present(root, layout);
         ArrayNode front = root.putArray("front");
         for (FrontPoint<? extends PlacedLayout> point : results.front().points()) {

@@ -1,6 +1,7 @@
 package org.dronewatch.report.placement;
 
 import java.util.OptionalDouble;
+import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.WarningMeasure;
 import org.dronewatch.placement.site.SectorGain;
@@ -13,7 +14,8 @@ public interface PlaceMeasure {
             case COVERAGE ->
                 new ShareMeasure(
                         plan.settings().conditions().fold(),
-                        !plan.settings().air().weights().isEmpty());
+                        !plan.settings().air().weights().isEmpty(),
+                        plan.settings().air().heading() == AirSettings.Heading.ANY);
             case WARNING_TIME -> new SecondsMeasure(plan.settings().warning() == WarningMeasure.WORST);
             case WEAKEST_ROUTE -> new DetectionMeasure();
         };
@@ -21,6 +23,16 @@ public interface PlaceMeasure {
 
     /** What the layout is best for, such as {@code , for the weakest route}; or an empty text. */
     String purpose();
+
+    /** How values are averaged, as the end of a sentence on one of them; or an empty text. */
+    default String average() {
+        return "";
+    }
+
+    /** On which headings the values of a table are based, in a sentence and a space; or an empty text. */
+    default String basis() {
+        return "";
+    }
 
     /** A value as text: {@code 95.8 %}. */
     String text(double value);

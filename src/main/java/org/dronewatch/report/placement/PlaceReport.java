@@ -140,7 +140,7 @@ final class PlaceReport {
                     PlaceWords.money(step.cost()),
                     measure.text(step.value())));
         }
-        return Html.plain("p", order() + measure.columns())
+        return Html.plain("p", measure.basis() + order() + measure.columns())
                 + Html.table(head, rows)
                 + table.late().map(late -> Html.plain("p", late)).orElse("")
                 + table.early().map(early -> Html.plain("p", early)).orElse("");
@@ -176,7 +176,7 @@ final class PlaceReport {
     }
 
     private String front() {
-        FrontWords front = new FrontWords(measure);
+        FrontWords front = new FrontWords(measure, plan.hasConditions());
         List<List<String>> rows = new ArrayList<>();
         double before = Double.NaN;
         for (FrontPoint<? extends PlacedLayout> point : results.front().points()) {
@@ -190,7 +190,8 @@ final class PlaceReport {
         }
         return Html.plain(
                         "p",
-                        "Each row is the best layout that was found for its cost, in a separate search; a more"
+                        measure.basis()
+                                + "Each row is the best layout that was found for its cost, in a separate search; a more"
                                 + " expensive layout need not contain a cheaper one. No layout for that money can exceed the upper"
                                 + " bound. 'Change' states what is bought, and where most is gained, as seen from the"
                                 + " centre of the area.")

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.placement.Candidate;
 import org.dronewatch.placement.plan.Cues;
+import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PlacedLayout;
@@ -38,7 +39,7 @@ final class PlaceTable {
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add("best layout from " + candidates()
-                + " for a budget of " + Numbers.text(layout.plan().settings().budget()) + measure.purpose()
+                + " for a budget of " + amount(layout.plan().settings().budget(), layout.plan()) + measure.purpose()
                 + ", in the order in which to buy:");
         lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
         for (SiteCandidate sensor : unordered()) {
@@ -172,7 +173,13 @@ final class PlaceTable {
                 .min(Comparator.comparingDouble(Candidate::cost))
                 .filter(cheapest -> cheapest.cost() > budget)
                 .map(cheapest -> "No sensor is affordable: the cheapest, " + cheapest.name() + ", costs "
-                        + Numbers.text(cheapest.cost()) + ", and the budget is " + Numbers.text(budget) + ".");
+                        + amount(cheapest.cost(), layout.plan()) + ", and the budget is "
+                        + amount(budget, layout.plan()) + ".");
+    }
+
+    /** An amount with the currency of the scene's prices: {@code 150000 EUR}. */
+    static String amount(double amount, PlacePlan plan) {
+        return Numbers.text(amount) + " " + plan.present().prices().currency();
     }
 
     /** What the scene's own sensors achieve, in a sentence; empty if it has none. */
@@ -183,8 +190,8 @@ final class PlaceTable {
     /** What the scene's own sensors achieve, in a sentence that begins with the given words for whose they are. */
     Optional<String> present(String whose) {
         return layout.present()
-                .map(own ->
-                        whose + counted(own) + " " + measure.claim(own.sensors() == 1, own.value()) + worse(own) + ".");
+                .map(own -> whose + counted(own) + " " + measure.claim(own.sensors() == 1, own.value())
+                        + measure.average() + worse(own) + ".");
     }
 
     /** That a layout is worse than the scene's own sensors, as the end of a sentence on these; or an empty text. */
@@ -219,7 +226,7 @@ final class PlaceTable {
         return layout.withoutEach().entrySet().stream()
                 .min(Map.Entry.comparingByValue())
                 .map(worst -> "Without " + worst.getKey() + ", whose loss is worst, the layout "
-                        + measure.claim(true, worst.getValue()) + "." + uncuedWithout());
+                        + measure.claim(true, worst.getValue()) + measure.average() + "." + uncuedWithout());
     }
 
     /** Which losses leave other sensors without a cue, in sentences that follow another one; or an empty text. */

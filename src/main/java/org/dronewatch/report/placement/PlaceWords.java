@@ -41,6 +41,7 @@ final class PlaceWords {
             sentences.add(
                     layout + " and " + measure.claim(true, best.value()) + measure.whole() + "; " + limit() + ".");
         }
+        new SilentDrone(best, measure).sentence().ifPresent(sentences::add);
         PlaceTable table = new PlaceTable(best, measure);
         table.uncued().ifPresent(sentences::add);
         table.nothing().ifPresent(sentences::add);

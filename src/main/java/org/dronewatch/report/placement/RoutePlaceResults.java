@@ -103,10 +103,11 @@ public record RoutePlaceResults(
         table.nothing().ifPresent(lines::add);
         table.late().ifPresent(lines::add);
         lines.addAll(new RouteSentences(best(), shortfall().isPresent()).lines());
+        new SilentDrone(best(), measure()).sentence().ifPresent(lines::add);
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
         worstLoss().ifPresent(lines::add);
-        lines.addAll(new FrontWords(measure()).lines(front));
+        lines.addAll(new FrontWords(measure(), best().plan().hasConditions()).lines(front));
         unsettled().ifPresent(lines::add);
         if (layout.isPresent() || present.isPresent()) {
             lines.addAll(new FlownTable(layout, present, best()).lines());

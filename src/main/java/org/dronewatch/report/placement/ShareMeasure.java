@@ -10,11 +10,25 @@ import org.dronewatch.report.file.Numbers;
  *
  * @param fold number of sensors that must cover a cell
  * @param isWeighted whether some cells count more than others
+ * @param isMean whether all headings count alike, and not only that of inbound flight
  */
-record ShareMeasure(int fold, boolean isWeighted) implements PlaceMeasure {
+record ShareMeasure(int fold, boolean isWeighted, boolean isMean) implements PlaceMeasure {
+    /** What the search counts, in the same words in all tables that state it. */
+    static final String MEAN = "averaged over eight headings";
+
     @Override
     public String purpose() {
-        return "";
+        return isMean ? ", judged by its coverage " + MEAN : "";
+    }
+
+    @Override
+    public String average() {
+        return isMean ? ", " + MEAN : "";
+    }
+
+    @Override
+    public String basis() {
+        return isMean ? "This table states the coverage " + MEAN + ". " : "";
     }
 
     @Override
@@ -29,7 +43,7 @@ record ShareMeasure(int fold, boolean isWeighted) implements PlaceMeasure {
 
     @Override
     public String whole() {
-        return " of the " + air() + (fold > 1 ? " with " + fold + " sensors or more" : "");
+        return " of the " + air() + (fold > 1 ? " with " + fold + " sensors or more" : "") + average();
     }
 
     private String air() {

@@ -54,11 +54,12 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
         table.late().ifPresent(lines::add);
         table.early().ifPresent(lines::add);
         lines.add(new WarningSentences(best(), measure()).worth());
+        new SilentDrone(best(), measure()).sentence().ifPresent(lines::add);
         table.uncued().ifPresent(lines::add);
         table.byCondition().ifPresent(lines::add);
         table.present().ifPresent(lines::add);
         table.worstLoss().ifPresent(lines::add);
-        lines.addAll(new FrontWords(measure()).lines(front));
+        lines.addAll(new FrontWords(measure(), best().plan().hasConditions()).lines(front));
         double covered = best().plan().settings().air().covered();
         warnings.ifPresent(its -> {
             lines.add("");

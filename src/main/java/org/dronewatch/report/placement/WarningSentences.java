@@ -3,7 +3,6 @@ package org.dronewatch.report.placement;
 import java.util.Optional;
 import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
-import org.dronewatch.report.file.Numbers;
 import org.dronewatch.setting.Counted;
 
 /** What the layout with the longest warning is worth, in sentences. */
@@ -21,7 +20,7 @@ final class WarningSentences {
         int heights = best.grid().heights().size();
         String given = "The layout " + measure.claim(true, best.value()) + " for straight flights from "
                 + InboundWarnings.BEARINGS + " bearings at " + Counted.of(heights, "height")
-                + ", at a cost of " + Numbers.text(best.result().cost());
+                + ", at a cost of " + PlaceTable.amount(best.result().cost(), best.plan());
         return given
                 + (best.bound() <= best.value()
                         ? "; no layout within the budget gives more."

@@ -17,9 +17,11 @@ final class ZoneTable {
     private static final List<String> HEAD = List.of("zone", "weight", "cells", "today", "layout");
 
     private final List<ZoneCoverage> zones;
+    private final String average;
 
     ZoneTable(SitePlacement best) {
         this.zones = best.byZone();
+        this.average = PlaceMeasure.of(best.plan()).average();
     }
 
     /** Whether the zones have weights. */
@@ -31,7 +33,8 @@ final class ZoneTable {
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         if (isNeeded()) {
-            lines.addAll(List.of("", "coverage of each zone, unweighted, in % of its cells:", row(HEAD)));
+            lines.addAll(
+                    List.of("", "coverage of each zone, unweighted, in % of its cells" + average + ":", row(HEAD)));
             rows().forEach(row -> lines.add(row(row)));
         }
         return lines;
@@ -68,7 +71,8 @@ final class ZoneTable {
                         "p",
                         "Cells in these zones are given more or less weight than all others; a cell that lies in several"
                                 + " of them has the greatest of their weights. The fractions of the airspace in this report are weighted, those of"
-                                + " a zone are not: each cell counts the same, in % of the cells of the zone.")
+                                + " a zone are not: each cell counts the same, in % of the cells of the zone" + average
+                                + ".")
                 + Html.table(HEAD, rows());
     }
 

@@ -11,6 +11,7 @@ import org.dronewatch.sensor.Aim;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.RadioReceiving;
 import org.dronewatch.sensor.Reading;
 import org.dronewatch.sensor.SensorDescription;
 import org.dronewatch.sensor.SensorSettings;
@@ -77,7 +78,12 @@ public record RfSettings(
         @Minor Optional<FalseAlarms> falseAlarms,
         @Minor Optional<AntennaPattern> beam,
         @Minor Aim aim)
-        implements SensorSettings<RfSensor>, Aimed, Thresholded, FalseAlarming.Stated, GroundReflecting {
+        implements SensorSettings<RfSensor>,
+                Aimed,
+                Thresholded,
+                FalseAlarming.Stated,
+                GroundReflecting,
+                RadioReceiving {
     /** Power of thermal noise in 1 Hz at 290 K, dBm: 10 lg(k 290 K / 1 mW). */
     private static final double THERMAL = 10.0 * Math.log10(1.380649e-23 * 290.0 * 1000.0);
 

@@ -7,16 +7,29 @@ import org.dronewatch.placement.site.TriedBudgets;
 import org.junit.jupiter.api.Test;
 
 class FrontWordsTest {
+    private static final PlaceMeasure MEASURE = new ShareMeasure(1, false, true);
+
     /** In reports, amounts are written as in the tables beside them. */
     @Test
     void budgetsThatAreTooLowAreWrittenAsOtherAmounts() {
         TriedBudgets tried = new TriedBudgets(14, List.of(20_000.0, 45_000.0), false);
 
-        assertThat(new FrontWords(new ShareMeasure(1, false)).tried(tried, PlaceWords::money))
+        assertThat(new FrontWords(MEASURE, true).tried(tried, PlaceWords::money))
                 .containsExactly(
                         "14 budgets were tried: a better buy may lie between two of them.",
                         "No layout meets the conditions for these budgets, which were also tried: 20\u202f000 and"
                                 + " 45\u202f000.");
+    }
+
+    @Test
+    void whereNothingIsAskedForNoConditionsAreNamed() {
+        TriedBudgets tried = new TriedBudgets(3, List.of(), List.of(5.0), true);
+
+        assertThat(new FrontWords(MEASURE, false).tried(tried, PlaceWords::money))
+                .containsExactly("The search ended before it found a layout for these budgets: 5.");
+        assertThat(new FrontWords(MEASURE, true).tried(tried, PlaceWords::money))
+                .containsExactly("The search ended before it found a layout for these budgets, so it is not known"
+                        + " whether one meets the conditions: 5.");
     }
 
     /** 99.97 % is more than 99.9 %. */

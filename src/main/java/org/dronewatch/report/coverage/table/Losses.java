@@ -5,6 +5,7 @@ import static org.dronewatch.report.html.ReadableNumbers.number;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.HeightSummary;
@@ -18,9 +19,27 @@ public final class Losses {
     /** A coverage of this fraction of the known area or less is too little to mention its loss. */
     private static final double HARDLY_ANY = 0.001;
 
+    private static final String THIS = "this coverage";
+
     private final FieldSummary summary;
     private final List<HeightSummary> heights;
     private final List<String> sensors;
+
+    /**
+     * A figure of all heights beside those of each height, which count other headings.
+     *
+     * @param introduction says so, in sentences
+     * @param coverage what the figures of each height are, such as {@code the coverage of inbound flight}
+     * @param head heading of its column
+     * @param all with all sensors
+     * @param without without each sensor, by its name
+     */
+    public record Total(String introduction, String coverage, String head, String all, Map<String, String> without) {
+        /** Copies the map. */
+        public Total {
+            without = Map.copyOf(without);
+        }
+    }
 
     /** The losses of a coverage. */
     public Losses(FieldSummary summary) {
@@ -31,13 +50,19 @@ public final class Losses {
 
     /** The section of a report: a table, and the heights at which the most coverage depends on one sensor. */
     public String html() {
+        return html(Optional.empty());
+    }
+
+    /** The same, perhaps with another figure in the first column. */
+    public String html(Optional<Total> total) {
         StringBuilder html = new StringBuilder();
         html.append(Html.plain(
                 "p",
-                "The table states the coverage, in % of the known area at each height, with all sensors and"
+                total.map(Total::introduction).orElse("")
+                        + "The table states the coverage, in % of the known area at each height, with all sensors and"
                         + " without each one. If a sensor fails, a different heading of the drone may become the"
                         + " worst for the others."));
-        html.append(table());
+        html.append(table(total));
         List<String> bands = sensors.stream()
                 .map(this::band)
                 .flatMap(Optional::stream)
@@ -46,12 +71,17 @@ public final class Losses {
         if (!bands.isEmpty()) {
             html.append(Html.element("ul", String.join("", bands)));
         }
-        return html.append(Html.plain("p", idle())).toString();
+        return html.append(Html.plain("p", idle(total.map(Total::coverage).orElse(THIS))))
+                .toString();
     }
 
-    private String table() {
+    private String table(Optional<Total> total) {
         List<String> head = new ArrayList<>(List.of("sensors"));
         List<String> all = new ArrayList<>(List.of("all"));
+        total.ifPresent(its -> {
+            head.add(its.head());
+            all.add(its.all());
+        });
         for (HeightSummary height : heights) {
             head.add(metres(height));
             all.add(percent(height.covered(), height));
@@ -59,6 +89,7 @@ public final class Losses {
         List<List<String>> rows = new ArrayList<>(List.of(all));
         for (String sensor : sensors) {
             List<String> row = new ArrayList<>(List.of("without " + sensor));
+            total.ifPresent(its -> row.add(its.without().getOrDefault(sensor, "-")));
             for (HeightSummary height : heights) {
                 int lost = height.lost().get(sensor);
                 row.add(percent(height.covered() - lost, height)
@@ -131,6 +162,10 @@ public final class Losses {
 
     /** The sensors that add nothing. */
     public String idle() {
+        return idle(THIS);
+    }
+
+    private String idle(String coverage) {
         List<String> idle = summary.idleSensors();
         if (idle.isEmpty()) {
             return heights.stream().allMatch(height -> height.covered() == 0)
@@ -140,10 +175,12 @@ public final class Losses {
         String names = ("'" + String.join("', '", idle) + "'").replaceFirst(", ('[^']+')$", " and $1");
         return idle.size() == 1
                 ? names
-                        + " adds nothing to this coverage: without it, the same cells are covered at every height. It"
-                        + " still serves as a backup if another sensor fails, and may confirm what others detect."
-                : names + " each add nothing to this coverage: without any one of them, the same cells are covered at"
-                        + " every height. Without several of them, some cells may no longer be covered.";
+                        + " adds nothing to " + coverage
+                        + ": without it, the same cells are covered at every height. It still"
+                        + " serves as a backup if another sensor fails, and may confirm what others detect."
+                : names + " each add nothing to " + coverage
+                        + ": without any one of them, the same cells are covered at every height."
+                        + " Without several of them, some cells may no longer be covered.";
     }
 
     private static String metres(HeightSummary height) {
