@@ -90,7 +90,10 @@ class BirdsTest {
                 .doesNotContain("\"drone\" : \"buzzard\"");
         assertThat(Files.readString(out.resolve("report.html")))
                 .contains("raised by radar, was caused by a bird: 'buzzard'", "starling (flock of 12)")
-                .contains("None: every sensor detects every drone.");
+                .contains("Every sensor detects every drone at some time. The table states for how much of the run it"
+                        + " does not, and why.")
+                .containsPattern("<td>radio</td><td>rf</td><td>intruder</td><td class=\"n\">9\\d %</td>"
+                        + "<td>signal too weak</td>");
     }
 
     @Test

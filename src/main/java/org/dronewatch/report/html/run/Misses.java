@@ -17,8 +17,8 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The drones that sensors of a run never detected, or lost and did not regain, and why: a row for each sensor with each
- * drone or swarm.
+ * The drones that sensors of a run never detected, did not detect for part of the time, or lost and did not regain, and
+ * why: a row for each sensor with each drone or swarm.
  */
 final class Misses {
     /** In a larger swarm, reasons are determined for this number of drones, evenly spaced in the list. */
@@ -28,32 +28,36 @@ final class Misses {
     private final RunLooks looks;
     private final Reasons reasons;
     private final List<DroneGroup> groups;
+    private final DetectionIntervals intervals;
 
     Misses(RunResult run, RunLooks looks, Reasons reasons) {
         this.run = run;
         this.looks = looks;
         this.reasons = reasons;
         this.groups = DroneGroup.of(run.settings());
+        this.intervals = DetectionIntervals.of(run.events());
     }
 
     String tables() {
-        return never() + lost();
+        String never = never();
+        String partly = partly();
+        if (never.isEmpty() && partly.isEmpty()) {
+            return Html.plain("p", "None: every sensor detects every drone for at least 99 % of the time.") + lost();
+        }
+        String words = never.isEmpty()
+                ? "Every sensor detects every drone at some time. The table states for how much of the run it does not,"
+                        + " and why."
+                : "Where a sensor detects a drone at some time, this table states for how much of the run it does not,"
+                        + " and why.";
+        return never + (partly.isEmpty() ? "" : Html.plain("p", words) + partly) + lost();
     }
 
     private String never() {
-        Map<String, List<String>> missed = new LinkedHashMap<>();
-        for (PairResult pair : run.pairs()) {
-            if (pair.firstDetected().isEmpty()) {
-                missed.computeIfAbsent(pair.sensor(), name -> new ArrayList<>()).add(pair.drone());
-            }
-        }
         List<List<String>> rows = new ArrayList<>();
         int left = 0;
-        for (Map.Entry<String, List<String>> sensor : missed.entrySet()) {
+        for (Map.Entry<String, List<String>> sensor : drones(false).entrySet()) {
             for (DroneGroup group : groups) {
-                List<String> members = group.members().stream()
-                        .filter(sensor.getValue()::contains)
-                        .toList();
+                List<String> members = members(group, sensor.getValue());
                 if (members.isEmpty()) {
                     continue;
                 }
@@ -65,8 +69,51 @@ final class Misses {
             }
         }
         return rows.isEmpty()
-                ? Html.plain("p", "None: every sensor detects every drone.")
+                ? ""
                 : Html.table(List.of("sensor", "kind", "drone", "reason"), rows) + DetectionTables.notShown(left);
+    }
+
+    /** Sensors that detect a drone at some time, but not all the time. */
+    private String partly() {
+        List<List<String>> rows = new ArrayList<>();
+        int left = 0;
+        for (Map.Entry<String, List<String>> sensor : drones(true).entrySet()) {
+            for (DroneGroup group : groups) {
+                List<String> members = members(group, sensor.getValue());
+                if (members.isEmpty()) {
+                    continue;
+                }
+                if (rows.size() == DetectionTables.MAX_ROWS) {
+                    left++;
+                    continue;
+                }
+                reasons.whileUndetected(sensor.getKey(), some(members), intervals)
+                        .ifPresent(missed -> {
+                            List<String> row = new ArrayList<>(row(sensor.getKey(), group, members, missed.reason()));
+                            row.add(3, missed.part());
+                            rows.add(row);
+                        });
+            }
+        }
+        return rows.isEmpty()
+                ? ""
+                : Html.table(List.of("sensor", "kind", "drone", "time without detection", "reason"), rows)
+                        + DetectionTables.notShown(left);
+    }
+
+    /** By sensor, the drones that it detects at some time, or those that it never does. */
+    private Map<String, List<String>> drones(boolean isDetected) {
+        Map<String, List<String>> drones = new LinkedHashMap<>();
+        for (PairResult pair : run.pairs()) {
+            if (pair.firstDetected().isPresent() == isDetected) {
+                drones.computeIfAbsent(pair.sensor(), name -> new ArrayList<>()).add(pair.drone());
+            }
+        }
+        return drones;
+    }
+
+    private static List<String> members(DroneGroup group, List<String> drones) {
+        return group.members().stream().filter(drones::contains).toList();
     }
 
     private String why(String sensor, List<String> members) {
@@ -78,7 +125,6 @@ final class Misses {
 
     /** Sensors that lost a drone for the rest of the run. */
     private String lost() {
-        DetectionIntervals intervals = DetectionIntervals.of(run.events());
         List<List<String>> rows = new ArrayList<>();
         int left = 0;
         for (String sensor : run.settings().enabledSensors().keySet()) {

@@ -14,6 +14,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.report.html.BlockerWords;
 import org.dronewatch.report.html.ReadableNumbers;
+import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.Pointings;
 import org.dronewatch.run.Sightline;
 import org.dronewatch.run.Stage;
@@ -29,6 +30,12 @@ import org.dronewatch.sensor.SensorSettings;
 final class Reasons {
     /** Number of instants of a run that are examined, besides its start. */
     static final int MOMENTS = 400;
+
+    /** A sensor that misses a drone for less than this fraction of the run detects it throughout. */
+    private static final double LEAST_MISSED = 0.01;
+
+    /** Percentages of at least this are rounded to 100, which represents the whole time. */
+    private static final double MOST_ROUNDED = 99.5;
 
     private final SceneSettings settings;
     private final Stage stage;
@@ -64,7 +71,7 @@ final class Reasons {
      */
     String of(String sensor, List<String> drones, Optional<BestLook> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
-        Fractions fractions = fractions(sensor, drones, weakness(missing, best), 0.0);
+        Fractions fractions = fractions(sensor, drones, weakness(missing, best), 0.0, (drone, time) -> true);
         boolean measured =
                 fractions.weak() > 0 && best.filter(Reasons::isReading).isPresent();
         String distance = measured ? "" : format("; the closest approach was %.0f m", fractions.nearest());
@@ -80,13 +87,51 @@ final class Reasons {
                         sensor,
                         drones,
                         settings.sensors().get(sensor).description().weakness(),
-                        time)
+                        time,
+                        (drone, later) -> true)
                 .inWords("%s from then on");
     }
 
-    /** The number of instants of a run at which each reason held. */
-    private record Fractions(Map<String, Integer> counts, int weak, double nearest, int gliding) {
-        int all() {
+    /**
+     * For how much of the run a sensor does not detect some drones that it detects at some time, and why; empty if that
+     * is less than one percent.
+     *
+     * @param detected when the sensor detects which drone
+     */
+    Optional<Undetected> whileUndetected(String sensor, List<String> drones, DetectionIntervals detected) {
+        Fractions fractions = fractions(
+                sensor,
+                drones,
+                settings.sensors().get(sensor).description().weakness(),
+                0.0,
+                (drone, time) -> !detected.isDetected(sensor, drone, time));
+        int missed = fractions.missed();
+        return missed < LEAST_MISSED * fractions.all()
+                ? Optional.empty()
+                : Optional.of(new Undetected(percent(missed, fractions.all()), fractions.inWords("%s")));
+    }
+
+    /**
+     * The part of a run in which a sensor does not detect a drone.
+     *
+     * @param part its length, {@code 78 %}
+     * @param reason why it does not; several reasons with the part of the whole run for which each holds
+     */
+    record Undetected(String part, String reason) {}
+
+    /** Selects times at which a drone is missed, s since the start. */
+    @FunctionalInterface
+    private interface Missed {
+        boolean at(String drone, double time);
+    }
+
+    /**
+     * The number of instants of a run at which each reason held.
+     *
+     * @param all the number of instants, those at which the drone was detected included
+     */
+    private record Fractions(Map<String, Integer> counts, int all, int weak, double nearest, int gliding) {
+        int missed() {
             return counts.values().stream().mapToInt(Integer::intValue).sum();
         }
 
@@ -97,24 +142,28 @@ final class Reasons {
             if (sorted.size() == 1) {
                 return format(throughout, sorted.get(0).getKey());
             }
-            int all = all();
             return sorted.stream()
                     .map(one -> percent(one.getValue(), all) + " of the time: " + one.getKey())
                     .collect(Collectors.joining("; "));
         }
     }
 
-    private Fractions fractions(String sensor, List<String> drones, String weak, double from) {
+    private Fractions fractions(String sensor, List<String> drones, String weak, double from, Missed missed) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
         Assessor assessor = assessors.computeIfAbsent(sensor, id -> new Assessor(id, missing, stage.world()));
         Map<String, Integer> counts = new LinkedHashMap<>();
         Map<String, Evidence> evidence = new HashMap<>();
         double nearest = Double.POSITIVE_INFINITY;
         int gliding = 0;
+        int all = 0;
         int first = (int) Math.min(MOMENTS, Math.ceil(from / step));
         for (int i = first; i <= MOMENTS; i++) {
             Optional<Pointing> pointing = pointings.at(sensor, i * step);
             for (String drone : drones) {
+                all++;
+                if (!missed.at(drone, i * step)) {
+                    continue;
+                }
                 Drone flying = moments.get(i).get(drone);
                 Position position = flying.origin();
                 nearest = Math.min(nearest, position.distance(missing.position()));
@@ -129,7 +178,7 @@ final class Reasons {
                 counts.merge(reason, 1, Integer::sum);
             }
         }
-        return new Fractions(explained(counts, evidence), counts.getOrDefault(weak, 0), nearest, gliding);
+        return new Fractions(explained(counts, evidence), all, counts.getOrDefault(weak, 0), nearest, gliding);
     }
 
     /** The name of the building of the map that blocks a line of sight first; empty if none does. */
@@ -169,6 +218,9 @@ final class Reasons {
 
     private static String percent(int count, int of) {
         double percent = 100.0 * count / of;
+        if (count < of && percent >= MOST_ROUNDED) {
+            return "more than 99 %";
+        }
         return percent < 1.0 ? "less than 1 %" : format("%.0f %%", percent);
     }
 
