@@ -38,14 +38,17 @@ public final class Progress implements SceneListener, AutoCloseable {
 
     /** A bar for a number of steps; none without a terminal. */
     public static ProgressBar barOf(String task, long steps) {
-        return System.console() == null
-                ? null
-                : new ProgressBarBuilder()
-                        .setTaskName(PlainText.value(task))
-                        .setInitialMax(steps)
-                        .setStyle(ProgressBarStyle.ASCII)
-                        .setUpdateIntervalMillis(200)
-                        .build();
+        if (System.console() == null) {
+            return null;
+        }
+        TimeLeft left = new TimeLeft(steps);
+        return new ProgressBarBuilder()
+                .setTaskName(PlainText.value(task))
+                .setInitialMax(steps)
+                .setStyle(ProgressBarStyle.ASCII)
+                .setUpdateIntervalMillis(200)
+                .setEtaFunction(bar -> left.after(bar.getCurrent(), bar.getElapsedAfterStart()))
+                .build();
     }
 
     @Override

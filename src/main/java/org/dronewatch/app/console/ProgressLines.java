@@ -2,6 +2,7 @@ package org.dronewatch.app.console;
 
 import java.io.PrintWriter;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.function.LongSupplier;
 import org.dronewatch.setting.PlainText;
 
@@ -23,6 +24,7 @@ final class ProgressLines {
     private final long start;
     private final double every;
     private final boolean isEndStated;
+    private final TimeLeft left;
     private double next;
 
     /**
@@ -48,6 +50,7 @@ final class ProgressLines {
         this.isEndStated = isEndStated;
         this.task = PlainText.value(task);
         this.steps = steps;
+        this.left = new TimeLeft(steps);
         this.err = err;
         this.clock = clock;
         this.start = clock.getAsLong();
@@ -61,21 +64,21 @@ final class ProgressLines {
     /** A number of steps is done in all. */
     synchronized void reached(long done) {
         double seconds = seconds();
+        OptionalDouble rest = left.after(done, seconds);
         if (seconds >= next && done > 0 && steps < 0) {
             next = seconds + every;
             err.printf(Locale.ROOT, "%s: %d after %s%n", task, done, duration(seconds));
         } else if (seconds >= next && done > 0 && done < steps) {
             next = seconds + every;
-            err.printf(Locale.ROOT, "%s: %s%n", task, part(done, seconds));
+            err.printf(Locale.ROOT, "%s: %s%n", task, part(done, seconds, rest));
         }
     }
 
-    /** The first steps take longest, since all is prepared then: the time left is not estimated from these alone. */
-    private String part(long done, double seconds) {
+    /** How much is done, and how long the rest takes or, where that is unknown, how long it took so far. */
+    private String part(long done, double seconds, OptionalDouble rest) {
         long percent = PERCENT * done / steps;
-        return percent == 0
-                ? "less than 1 % after " + duration(seconds)
-                : percent + " %, " + duration(seconds * (steps - done) / done) + " left";
+        return (percent == 0 ? "less than 1 %" : percent + " %")
+                + (rest.isPresent() ? ", " + duration(rest.getAsDouble()) + " left" : " after " + duration(seconds));
     }
 
     /** The task is complete. */

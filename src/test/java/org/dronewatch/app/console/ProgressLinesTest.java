@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
 /** How far a task is, in lines. */
@@ -15,19 +16,19 @@ class ProgressLinesTest {
     @Test
     void aLineEveryFiveSecondsStatesPercentAndTimeLeft() {
         StringWriter said = new StringWriter();
-        ProgressLines lines = new ProgressLines("field", 2_000, new PrintWriter(said, true), () -> now);
+        ProgressLines lines = new ProgressLines("field", 400, new PrintWriter(said, true), () -> now);
         for (int second = 1; second <= 16; second++) {
             now += SECOND;
             lines.reached(10L * second);
         }
         now += 200 * SECOND;
-        lines.reached(2_100);
+        lines.reached(410);
         lines.ended();
 
         assertThat(said.toString().lines())
                 .containsExactly(
-                        "field: 2 %, 3 min left",
-                        "field: 5 %, 3 min left", "field: 7 %, 3 min left", "field: done after 4 min");
+                        "field: 12 % after 5 s",
+                        "field: 25 %, 30 s left", "field: 37 %, 25 s left", "field: done after 4 min");
     }
 
     /** In a batch job, a long task shows that it is alive, and a short one says nothing. */
@@ -42,7 +43,7 @@ class ProgressLinesTest {
         }
         lines.ended();
 
-        assertThat(said.toString().lines()).containsExactly("field: 15 %, 3 min left");
+        assertThat(said.toString().lines()).containsExactly("field: 15 % after 30 s");
     }
 
     /** Fifteen steps in five seconds, most of which went into preparations, say nothing about a hundred thousand. */
@@ -55,7 +56,47 @@ class ProgressLinesTest {
         now += 5 * SECOND;
         lines.reached(1_000);
 
+        assertThat(said.toString().lines()).containsExactly("field: less than 1 % after 5 s", "field: 1 % after 10 s");
+    }
+
+    /** A sensor whose cells take long comes first, and those of the next one hardly any time. */
+    @Test
+    void theTimeLeftFollowsFromTheSpeedOfTheSecondHalf() {
+        StringWriter said = new StringWriter();
+        ProgressLines lines = new ProgressLines("field", 1_000, new PrintWriter(said, true), () -> now);
+        int done = 0;
+        for (int second = 1; second <= 60; second++) {
+            now += SECOND;
+            done += second <= 30 ? 4 : 25;
+            lines.reached(done);
+        }
+
         assertThat(said.toString().lines())
-                .containsExactly("field: less than 1 % after 5 s", "field: 1 %, 17 min left");
+                .contains("field: 12 % after 30 s", "field: 24 % after 35 s")
+                .contains("field: 74 %, 11 s left", "field: 87 %, 5 s left");
+    }
+
+    /** Of a task that takes an hour, nobody waits for a quarter. */
+    @Test
+    void aLongTaskStatesTheTimeLeftAfterTwoMinutes() {
+        StringWriter said = new StringWriter();
+        ProgressLines lines = new ProgressLines("field", 1_200, new PrintWriter(said, true), () -> now);
+        for (int second = 1; second <= 120; second++) {
+            now += SECOND;
+            lines.reached(second);
+        }
+
+        assertThat(said.toString().lines()).contains("field: 9 % after 2 min").endsWith("field: 10 %, 18 min left");
+    }
+
+    @Test
+    void aBarStatesTheSameTimeLeft() {
+        TimeLeft left = new TimeLeft(100);
+
+        assertThat(left.after(20, Duration.ofSeconds(10))).isEmpty();
+        assertThat(left.after(40, Duration.ofSeconds(20))).contains(Duration.ofSeconds(30));
+        assertThat(left.after(40, Duration.ofSeconds(60))).isEmpty();
+        assertThat(left.after(100, Duration.ofSeconds(70))).isEmpty();
+        assertThat(new TimeLeft(-1).after(3, Duration.ofSeconds(1))).isEmpty();
     }
 }
