@@ -95,6 +95,7 @@ class CoverageCommandTest {
                         "detectable_share",
                         "volume_m3",
                         "causes",
+                        "causes_by_sensor",
                         "count_shares",
                         "n_minus_1",
                         "largest_gap_m2",
@@ -109,6 +110,9 @@ class CoverageCommandTest {
             double inside = height.get("inside_share").asDouble();
             assertThat(height.get("known").asInt()).isEqualTo((int) Math.round((1 - inside) * 225));
             assertThat(sum(height.get("causes"))).isCloseTo(1.0, within(1e-5));
+            assertThat(height.get("causes_by_sensor").propertyNames()).containsExactly("round", "radio");
+            height.get("causes_by_sensor")
+                    .forEach(causes -> assertThat(sum(causes)).isCloseTo(1.0, within(1e-5)));
             assertThat(sum(height.get("count_shares"))).isCloseTo(1.0, within(1e-5));
             JsonNode none = height.get("count_shares").path("0");
             assertThat(height.get("covered_share").asDouble()).isCloseTo(1.0 - none.asDouble(), within(1e-5));
@@ -143,6 +147,33 @@ class CoverageCommandTest {
                 .contains("any of them")
                 .contains("largest gap:")
                 .contains("coverage lost if one sensor is removed");
+    }
+
+    /** The receiver is in range everywhere and so comes nearest to a detection: it must not hide that the radar is blind. */
+    @Test
+    void theCausesOfEachSensorAreStatedEvenIfAnotherOneDecides() {
+        List<String> worst = causes("worst");
+        int at = worst.indexOf("causes of each sensor's misses, in % of the known cells at all heights:");
+        assertThat(worst.subList(0, at)).noneMatch(line -> line.contains("too slow"));
+        assertThat(worst.get(at + 1)).matches("sensor +detected +.*too slow .*signal too weak");
+        assertThat(worst.get(at + 2)).matches("round +- .*");
+        assertThat(worst.get(at + 3)).matches("radio .*");
+        assertThat(worst.get(at + 4))
+                .isEqualTo("too slow: hovering, or flying across a radar's line of sight; what is detected on other"
+                        + " headings is shown by --heading best or inbound");
+        assertThat(causes("inbound")).noneMatch(line -> line.startsWith("too slow:"));
+    }
+
+    private static List<String> causes(String heading) {
+        Outcome found = Program.run(
+                "coverage",
+                directory.resolve("site.yaml").toString(),
+                "--heights=60m",
+                "--side=200",
+                "--cell=20m",
+                "--heading=" + heading);
+        assertThat(found.code()).as(found.err()).isZero();
+        return found.out().lines().toList();
     }
 
     @Test

@@ -233,6 +233,14 @@ public final class FieldCoverage {
     }
 
     /**
+     * Why a sensor, given by its number, does not detect the drone in a cell, on the course that counts there;
+     * {@link Cause#DETECTED} if one look detects it.
+     */
+    public Cause cause(int sensor, int height, int column, int row) {
+        return field.cause(sensor, height, column, row, courseAt(height, column, row));
+    }
+
+    /**
      * The sensor whose cause is the dominant one in a cell in which a drone can be: the one with the highest
      * probability; in a tie, the one whose cause is nearest to a detection in the order of {@link Cause}; then the one
      * with the greatest margin in dB; then the first.

@@ -1,11 +1,13 @@
 package org.dronewatch.analysis.survey;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldCoverage;
+import org.dronewatch.sensor.Cause;
 
 /**
  * The coverage of a site at all heights, and what each sensor contributes to it.
@@ -40,6 +42,16 @@ public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) 
     /** Whether no cell is unknown at any height. */
     public boolean isAllKnown() {
         return heights.stream().allMatch(one -> one.unknown() == 0);
+    }
+
+    /** By sensor, in the order of the scene, the number of known cells at all heights by the sensor's own cause. */
+    public Map<String, Map<Cause, Integer>> causesBySensor() {
+        Map<String, Map<Cause, Integer>> all = new LinkedHashMap<>();
+        heights.forEach(height -> height.causesBySensor().forEach((sensor, causes) -> {
+            Map<Cause, Integer> its = all.computeIfAbsent(sensor, name -> new EnumMap<>(Cause.class));
+            causes.forEach((cause, cells) -> its.merge(cause, cells, Integer::sum));
+        }));
+        return all;
     }
 
     /**

@@ -129,8 +129,7 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
         for (int cell : cells) {
             int column = grid.column(cell);
             int row = grid.row(cell);
-            int course = coverage.courseAt(map.height(), column, row);
-            Cause cause = coverage.field().cause(sensor, map.height(), column, row, course);
+            Cause cause = coverage.cause(sensor, map.height(), column, row);
             byCause.computeIfAbsent(cause, one -> new ArrayList<>()).add(cell);
         }
         return byCause;

@@ -19,6 +19,8 @@ import org.dronewatch.sensor.Cause;
  * @param covered number of known cells that a sensor covers
  * @param volume volume of the air that the covered cells represent, m3; see {@link FieldGrid#depth}
  * @param causes number of known cells by dominant cause, in the order of {@link Cause}
+ * @param causesBySensor by sensor, in the order of the scene, the number of known cells by the sensor's own cause, on
+ *     the course that counts in each cell: {@link Cause#DETECTED} where one of its looks detects the drone
  * @param counts number of known cells by the number of sensors that cover them, from none upwards
  * @param lost by sensor, how many more cells are covered with it than without it: those lost without it, less those
  *     gained, since without a sensor another course may count on which the others cover more; so the number may be 0
@@ -34,6 +36,7 @@ public record HeightSummary(
         int covered,
         double volume,
         Map<Cause, Integer> causes,
+        Map<String, Map<Cause, Integer>> causesBySensor,
         int[] counts,
         Map<String, Integer> lost,
         Map<String, Integer> changed,
@@ -64,6 +67,10 @@ public record HeightSummary(
                 counts[coverage.count(height, column, row)]++;
             }
         });
+        Map<String, Map<Cause, Integer>> causesBySensor = new LinkedHashMap<>();
+        for (int sensor = 0; sensor < field.sensors().size(); sensor++) {
+            causesBySensor.put(field.sensors().get(sensor), causes(coverage, height, sensor));
+        }
         Map<String, Integer> lost = new LinkedHashMap<>();
         Map<String, Integer> changed = new LinkedHashMap<>();
         without.forEach((sensor, rest) -> {
@@ -74,6 +81,18 @@ public record HeightSummary(
         double volume = covered * grid.cellArea() * grid.depth(height);
         double above = grid.heights().get(height);
         Optional<Gap> gap = Gap.largest(coverage, height);
-        return new HeightSummary(above, cells, known, inside, covered, volume, causes, counts, lost, changed, gap);
+        return new HeightSummary(
+                above, cells, known, inside, covered, volume, causes, causesBySensor, counts, lost, changed, gap);
+    }
+
+    /** The causes of one sensor, given by its number. */
+    private static Map<Cause, Integer> causes(FieldCoverage coverage, int height, int sensor) {
+        Map<Cause, Integer> causes = new EnumMap<>(Cause.class);
+        coverage.field().grid().forEachCell((column, row) -> {
+            if (coverage.isKnown(height, column, row)) {
+                causes.merge(coverage.cause(sensor, height, column, row), 1, Integer::sum);
+            }
+        });
+        return causes;
     }
 }

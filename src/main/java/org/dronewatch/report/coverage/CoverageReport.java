@@ -26,6 +26,7 @@ import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.report.coverage.table.FieldTable;
 import org.dronewatch.report.coverage.table.Losses;
 import org.dronewatch.report.coverage.table.ReferencePoint;
+import org.dronewatch.report.coverage.table.SensorCausesTable;
 import org.dronewatch.report.coverage.table.WorstPlaces;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.report.html.Figure;
@@ -209,7 +210,8 @@ final class CoverageReport {
                                                 : "where none detects it with a probability of "
                                                         + number(FieldCoverage.DEFAULT_COVERED) + " or more."))
                 + Html.table(head, rows)
-                + FieldTable.slownessInWords(causes, inputs)
+                + new SensorCausesTable(summary).html()
+                + FieldTable.slownessInWords(summary, inputs)
                         .map(words -> Html.plain("p", "Too slow: " + words + "."))
                         .orElse("");
     }

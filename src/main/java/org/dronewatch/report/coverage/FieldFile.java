@@ -135,6 +135,11 @@ public final class FieldFile {
         node.put("volume_m3", Numbers.rounded(height.volume()));
         ObjectNode causes = node.putObject("causes");
         height.causes().forEach((cause, cells) -> share(causes, name(cause), cells, height.known()));
+        ObjectNode bySensor = node.putObject("causes_by_sensor");
+        height.causesBySensor().forEach((sensor, its) -> {
+            ObjectNode own = bySensor.putObject(sensor);
+            its.forEach((cause, cells) -> share(own, name(cause), cells, height.known()));
+        });
         ObjectNode counts = node.putObject("count_shares");
         for (int sensors = 0; sensors < height.counts().length; sensors++) {
             if (height.counts()[sensors] > 0) {

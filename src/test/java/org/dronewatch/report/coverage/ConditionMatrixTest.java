@@ -144,6 +144,7 @@ class ConditionMatrixTest {
                 0,
                 0.0,
                 Map.of(),
+                Map.of(),
                 new int[] {0, 0},
                 Map.of(),
                 Map.of(),

@@ -177,6 +177,7 @@ class CoverageReportTest {
                                 cells,
                                 one.volume(),
                                 one.causes(),
+                                one.causesBySensor(),
                                 one.counts(),
                                 Map.of("round", cells, "short", 0),
                                 Map.of("round", cells, "short", 0),

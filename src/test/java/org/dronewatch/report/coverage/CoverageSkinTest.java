@@ -328,6 +328,7 @@ class CoverageSkinTest {
                 100,
                 1,
                 Map.of(),
+                Map.of(),
                 new int[] {900, 100},
                 Map.of("round", -20, "short", 0, "far", 0),
                 Map.of("round", 20, "short", 10, "far", 0),

@@ -101,7 +101,7 @@ public final class CellWords {
         if (!coverage.field().isOpen(height, column, row)) {
             return "";
         }
-        Cause cause = coverage.field().cause(sensor, height, column, row, coverage.courseAt(height, column, row));
+        Cause cause = coverage.cause(sensor, height, column, row);
         return name(cause, coverage.covers(sensor, height, column, row));
     }
 

@@ -56,7 +56,9 @@ public final class FieldTable {
             }
             lines.add(line.toString());
         }
-        slownessInWords(causes, inputs).map("too slow: "::concat).ifPresent(lines::add);
+        if (summary.coverage().field().sensors().size() == 1) {
+            slownessInWords(summary, inputs).map("too slow: "::concat).ifPresent(lines::add);
+        }
         unknownInWords(summary).map("unknown: "::concat).ifPresent(lines::add);
         return lines;
     }
@@ -79,12 +81,14 @@ public final class FieldTable {
     }
 
     /**
-     * Why a drone's radial speed is too low in some cells on the worst heading: on that heading, a radar that rejects
-     * low radial speeds detects nothing, wherever the drone is. Empty if there are no such cells, or another heading
-     * counts.
+     * Why a drone's radial speed is too low for a sensor in some cells on the worst heading: on that heading, a radar
+     * that rejects low radial speeds detects nothing, wherever the drone is, even where another sensor has the dominant
+     * cause. Empty if there are no such cells, or another heading counts.
      */
-    public static Optional<String> slownessInWords(Set<Cause> causes, CoverageInputs inputs) {
-        return causes.contains(Cause.TOO_SLOW) && inputs.heading().equals("worst")
+    public static Optional<String> slownessInWords(FieldSummary summary, CoverageInputs inputs) {
+        boolean isTooSlow =
+                summary.causesBySensor().values().stream().anyMatch(causes -> causes.containsKey(Cause.TOO_SLOW));
+        return isTooSlow && inputs.heading().equals("worst")
                 ? Optional.of("hovering, or flying across a radar's line of sight; what is detected on other headings"
                         + " is shown by --heading best or inbound")
                 : Optional.empty();

@@ -33,6 +33,7 @@ public final class SurveyTables {
     public static List<String> lines(FieldSurvey survey, CoverageInputs inputs) {
         List<List<String>> tables = new ArrayList<>();
         tables.add(FieldTable.causes(survey.summary(), inputs));
+        tables.add(bySensor(survey, inputs));
         survey.visible().map(FieldTable::visible).ifPresent(tables::add);
         survey.detectable()
                 .map(heights -> FieldTable.detectable(heights, inputs))
@@ -53,6 +54,17 @@ public final class SurveyTables {
                 lines.add("");
             }
             lines.addAll(table);
+        }
+        return lines;
+    }
+
+    /** The causes of each sensor, and why a radar may be blind on the worst heading. */
+    private static List<String> bySensor(FieldSurvey survey, CoverageInputs inputs) {
+        List<String> lines = new SensorCausesTable(survey.summary()).lines();
+        if (!lines.isEmpty()) {
+            FieldTable.slownessInWords(survey.summary(), inputs)
+                    .map("too slow: "::concat)
+                    .ifPresent(lines::add);
         }
         return lines;
     }
