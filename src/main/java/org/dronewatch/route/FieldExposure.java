@@ -1,5 +1,6 @@
 package org.dronewatch.route;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -155,18 +156,17 @@ public final class FieldExposure implements ExposureField {
         return sum;
     }
 
-    /**
-     * The dominant cause at the midpoint of a straight leg that lies in one cell: that of the sensor with the highest
-     * probability; in a tie, the one that is nearest to a detection.
-     */
-    Cause cause(Position from, Position to) {
+    /** Why each sensor does not detect the drone at the midpoint of a straight leg that lies in one cell. */
+    List<SensorCause> causes(Position from, Position to) {
         Position at = from.plus(to).times(0.5);
         CellCorners corners = new CellCorners(field, cells);
         corners.around(at.x(), at.y(), at.z());
         corners.weigh(at.x(), at.y(), at.z());
         int nearest = corners.nearest();
         if (nearest < 0) {
-            return Cause.UNKNOWN;
+            return sensors.stream()
+                    .map(sensor -> new SensorCause(sensor.name(), 0, Cause.UNKNOWN))
+                    .toList();
         }
         int column = corners.column(nearest);
         int row = corners.row(nearest);
@@ -174,18 +174,15 @@ public final class FieldExposure implements ExposureField {
         Position along = to.minus(from);
         double time = mode.time(Math.hypot(along.x(), along.y()), along.z());
         LegMotion motion = LegMotion.along(along.x(), along.y(), along.z(), time);
-        Cause dominant = Cause.UNKNOWN;
-        int most = -1;
+        List<SensorCause> causes = new ArrayList<>();
         for (SensorRates sensor : sensors) {
             int course = sensor.course(corners, nearest, at.x(), at.y(), at.z(), motion);
-            int steps = sensor.field().step(sensor.sensor(), level, column, row, course);
-            Cause cause = sensor.field().cause(sensor.sensor(), level, column, row, course);
-            if (steps > most || steps == most && cause.compareTo(dominant) > 0) {
-                dominant = cause;
-                most = steps;
-            }
+            causes.add(new SensorCause(
+                    sensor.name(),
+                    sensor.field().step(sensor.sensor(), level, column, row, course),
+                    sensor.field().cause(sensor.sensor(), level, column, row, course)));
         }
-        return dominant;
+        return causes;
     }
 
     /**

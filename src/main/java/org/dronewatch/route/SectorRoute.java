@@ -9,7 +9,6 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.route.search.WeakestRoute;
-import org.dronewatch.sensor.Cause;
 
 /**
  * The weakest route from a sector, and how exposed it is to the sensors: as estimated by the search or, once every look
@@ -19,7 +18,7 @@ import org.dronewatch.sensor.Cause;
  * @param route the route, with bounds on the exposure that counts
  * @param searched profile of the whole route, with the exposure in the cells of the search
  * @param bySensor the same exposure along the whole route to each sensor, in the order of the scene
- * @param causes how long each cause is the dominant one along the route, according to the search, s
+ * @param causes what keeps the sensors from detecting the drone, according to the search
  * @param flown the exposure to all looks along the route; empty if they have not been assessed
  */
 public record SectorRoute(
@@ -27,7 +26,7 @@ public record SectorRoute(
         WeakestRoute route,
         RouteProfile searched,
         Map<String, Double> bySensor,
-        Map<Cause, Double> causes,
+        RouteCauses causes,
         Optional<FlownExposure> flown) {
     /**
      * The search misjudges a route if its probability of a detection differs from that of the flight by more than this.
@@ -37,10 +36,9 @@ public record SectorRoute(
     /** Probabilities below this count as 0, as in tables. */
     private static final double RARELY = 1e-3;
 
-    /** Copies the maps. */
+    /** Copies the map. */
     public SectorRoute {
         bySensor = Collections.unmodifiableMap(new LinkedHashMap<>(bySensor));
-        causes = Collections.unmodifiableMap(new LinkedHashMap<>(causes));
     }
 
     /** This route after every look along it has been assessed. */
@@ -187,21 +185,5 @@ public record SectorRoute(
         double all =
                 sensors().values().stream().mapToDouble(Double::doubleValue).sum();
         return all > 0.0 ? sensors().get(sensor) / all : 0.0;
-    }
-
-    /**
-     * The cause that keeps the sensors from detecting the drone for the longest time; empty if it is always detected.
-     */
-    public Optional<Cause> dominantCause() {
-        return causes.entrySet().stream()
-                .filter(one -> one.getKey() != Cause.DETECTED && one.getValue() > 0.0)
-                .reduce((a, b) -> b.getValue() > a.getValue() ? b : a)
-                .map(Map.Entry::getKey);
-    }
-
-    /** The fraction of the flight during which a cause is the dominant one, 0 to 1. */
-    public double share(Cause cause) {
-        double all = causes.values().stream().mapToDouble(Double::doubleValue).sum();
-        return all > 0.0 ? causes.getOrDefault(cause, 0.0) / all : 0.0;
     }
 }

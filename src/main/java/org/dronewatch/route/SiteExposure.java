@@ -6,7 +6,6 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.sensor.Cause;
 
 /** The exposure of a drone in several modes of flight, each with a separate field, by the numbers of the modes. */
 record SiteExposure(List<FieldExposure> modes) implements ExposureField {
@@ -34,9 +33,9 @@ record SiteExposure(List<FieldExposure> modes) implements ExposureField {
         return modes.get(mode).least(low, high, mode);
     }
 
-    /** The dominant cause on a leg in one cell; see {@link FieldExposure#cause}. */
-    Cause cause(Position from, Position to, int mode) {
-        return modes.get(mode).cause(from, to);
+    /** The cause of each sensor on a leg in one cell; see {@link FieldExposure#causes}. */
+    List<SensorCause> causes(Position from, Position to, int mode) {
+        return modes.get(mode).causes(from, to);
     }
 
     /** The exposure to one sensor alone, given by its name. */

@@ -1,7 +1,6 @@
 package org.dronewatch.route;
 
 import java.util.BitSet;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,7 +28,6 @@ import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.route.search.WeakestRoutes;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
-import org.dronewatch.sensor.Cause;
 
 /**
  * The weakest routes of a site: from the edge of the known ground of a detection field, or from an area, at any of the
@@ -263,13 +261,7 @@ public final class SiteRoutes {
     /** A route together with its exposure to the sensors. */
     public SectorRoute describe(int sector, WeakestRoute route) {
         RouteProfile profile = profile(route);
-        Map<Cause, Double> causes = new EnumMap<>(Cause.class);
-        for (int i = 1; i < profile.points().size(); i++) {
-            RoutePoint from = profile.points().get(i - 1);
-            RoutePoint to = profile.points().get(i);
-            causes.merge(
-                    exposure.cause(from.position(), to.position(), from.mode()), to.time() - from.time(), Double::sum);
-        }
+        RouteCauses causes = RouteCauses.along(profile, sensors, exposure);
         return new SectorRoute(sector, route, profile, bySensor(route), causes, Optional.empty());
     }
 

@@ -149,7 +149,7 @@ class CoverageCommandTest {
                 .contains("coverage lost if one sensor is removed");
     }
 
-    /** The receiver is in range everywhere and so comes nearest to a detection: it must not hide that the radar is blind. */
+    /** The receiver comes nearest to a detection everywhere: it must not hide that the radar is blind. */
     @Test
     void theCausesOfEachSensorAreStatedEvenIfAnotherOneDecides() {
         List<String> worst = causes("worst");

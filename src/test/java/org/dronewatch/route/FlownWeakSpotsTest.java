@@ -221,7 +221,8 @@ class FlownWeakSpotsTest {
                 fly(world("wall.obj", WALL, "building"), RADAR.formatted("[0, 0, 4]", 0), "", RESPONSE, NORTH_EAST);
 
         assertUsed(flown, RESPONSE, 0.5, 0.9);
-        assertThat(flown.route().causes().get(Cause.HIDDEN_BY_BUILDING)).isGreaterThan(5.0);
+        assertThat(flown.route().causes().dominant().seconds().get(Cause.HIDDEN_BY_BUILDING))
+                .isGreaterThan(5.0);
     }
 
     /** The radar stands on the plateau, and does not see what flies low between the slopes. */
@@ -231,7 +232,8 @@ class FlownWeakSpotsTest {
                 world("valley.obj", valley(), "terrain"), RADAR.formatted("[120, 0, 34]", 0), "", RESPONSE, NORTH_EAST);
 
         assertUsed(flown, RESPONSE, 0.5, 0.9);
-        assertThat(flown.route().causes().get(Cause.HIDDEN_BY_TERRAIN)).isGreaterThan(10.0);
+        assertThat(flown.route().causes().dominant().seconds().get(Cause.HIDDEN_BY_TERRAIN))
+                .isGreaterThan(10.0);
         assertThat(flown.route().profile().medianHeight()).isLessThan(20.0);
     }
 
@@ -247,7 +249,8 @@ class FlownWeakSpotsTest {
                 List.of(FlightMode.Kind.POWERED));
 
         assertUsed(flown, 0.0, 0.3, 0.7);
-        assertThat(flown.route().causes().get(Cause.TOO_SLOW)).isGreaterThan(5.0);
+        assertThat(flown.route().causes().dominant().seconds().get(Cause.TOO_SLOW))
+                .isGreaterThan(5.0);
     }
 
     /** Whoever comes slowly is not detected by it, either, not even on the way to the zone in which it stands. */
@@ -257,7 +260,8 @@ class FlownWeakSpotsTest {
         Flown slow = fly(world("hut.obj", WALL, "building"), radar, "", 0.0, EAST);
         assertUsed(slow, 0.0, 1e-3, 0.99);
         assertThat(slow.route().route().path().modes()).contains(1);
-        assertThat(slow.route().causes().get(Cause.TOO_SLOW)).isGreaterThan(30.0);
+        assertThat(slow.route().causes().dominant().seconds().get(Cause.TOO_SLOW))
+                .isGreaterThan(30.0);
     }
 
     /** Where a detection would come too late, it does not hurry: it would be seen, and arrives unseen. */

@@ -74,7 +74,7 @@ class WeakSpotsTest {
     }
 
     private static double hidden(SectorRoute route, Cause cause) {
-        return route.causes().getOrDefault(cause, 0.0);
+        return route.causes().dominant().seconds().getOrDefault(cause, 0.0);
     }
 
     /** Behind the building in the north, nothing is seen; from the south-east, the detour takes too long. */
@@ -88,6 +88,19 @@ class WeakSpotsTest {
         assertThat(hidden(southEast, Cause.HIDDEN_BY_BUILDING)).isZero();
         assertThat(north.profile().exposure())
                 .isLessThan(0.75 * southEast.profile().exposure());
+    }
+
+    /** A receiver that nothing is loud enough for comes nearest to a detection where a wall hides the drone. */
+    @Test
+    void theCausesOfEachSensorAreKept() throws IOException {
+        String deaf = FAR + "  deaf: {kind: rf, position: [0, 5, 4], threshold: 100}\n";
+        RouteCauses causes = weakest(powered(deaf, cells(10)), NORTH).causes();
+
+        assertThat(causes.dominant().seconds()).doesNotContainKey(Cause.HIDDEN_BY_BUILDING);
+        assertThat(causes.bySensor()).containsOnlyKeys("round", "deaf");
+        assertThat(causes.bySensor().get("deaf").share(Cause.TOO_WEAK)).isEqualTo(1.0);
+        assertThat(causes.bySensor().get("round").seconds().get(Cause.HIDDEN_BY_BUILDING))
+                .isGreaterThan(10.0);
     }
 
     /** Behind the flat box in the west, only low flight is hidden. */

@@ -168,13 +168,14 @@ final class RouteReport {
 
     /** A separate table: with the numbers in it, too, it would be too wide for a page. */
     private String sensors() {
+        RouteReasons reasons = new RouteReasons(inputs.settings());
         List<List<String>> rows = survey.routes().stream()
                 .map(route -> List.of(
                         RouteWords.sector(route),
                         route.mostExposedTo()
                                 .map(sensor -> sensor + " (" + RouteNumbers.percent(route.share(sensor)) + ")")
-                                .orElse("-"),
-                        RouteWords.reason(route).orElse("-")))
+                                .orElse("no sensor"),
+                        reasons.inWords(route).orElse("-")))
                 .toList();
         return Html.table(List.of("from", "most exposed to", "reason for misses"), rows);
     }

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.dronewatch.report.CompassPoint;
-import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.FlownRoute;
@@ -15,9 +14,11 @@ import org.dronewatch.route.proof.FlownRoute;
 /** Routes in words, for decision-makers. */
 final class RouteWords {
     private final RouteInputs inputs;
+    private final RouteReasons reasons;
 
     RouteWords(RouteInputs inputs) {
         this.inputs = inputs;
+        this.reasons = new RouteReasons(inputs.settings());
     }
 
     /** The weakest of all routes in a sentence or two. */
@@ -34,32 +35,12 @@ final class RouteWords {
     }
 
     /** {@code from the north-west, 12 m above the ground, hidden by terrain most of the time}. */
-    private static String from(SectorRoute route, RouteSurvey survey) {
+    private String from(SectorRoute route, RouteSurvey survey) {
         String height = number(Math.rint(route.profile().medianHeight())) + " m above the ground";
         return "from the " + sector(route) + ", " + height
                 + ModeWords.clause(route, survey)
-                + reason(route)
-                        // That radars reject the drone has been said.
-                        .filter(reason -> !ModeWords.isMostlySlow(route, survey))
-                        .map(reason -> ", " + reason)
-                        .orElse("");
-    }
-
-    /** What keeps sensors from detecting it, {@code hidden by terrain most of the time}; empty if nothing does. */
-    static Optional<String> reason(SectorRoute route) {
-        return route.dominantCause().map(cause -> {
-            boolean isMostly = route.share(cause) > 0.5;
-            String often = isMostly ? " most of the time" : " part of the time";
-            return switch (cause) {
-                case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
-                case TOO_SLOW, TOO_FAST ->
-                    "flying across radars' lines of sight or at a speed that they reject," + often;
-                case UNKNOWN -> "with unknown ground between it and the sensors" + often;
-                case SILENT ->
-                    (isMostly ? "mostly" : often.strip()) + " without emitting anything that the sensors recognise";
-                default -> CoverageTable.name(cause) + often;
-            };
-        });
+                // That radars reject the drone has been said.
+                + (ModeWords.isMostlySlow(route, survey) && !RouteReasons.differ(route) ? "" : reasons.clause(route));
     }
 
     private String detected(SectorRoute route) {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FlownExposure;
+import org.dronewatch.route.RouteCauses;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.SectorRoute;
@@ -55,7 +56,7 @@ class MisjudgementTest {
                 new RouteProfile(List.of(
                         new RoutePoint(0, 0, start, 30, 0, 0, true), new RoutePoint(30, 300, end, 30, 0, all, true))),
                 Map.of("radar", all),
-                Map.of(),
+                RouteCauses.NONE,
                 Optional.empty());
         assertThat(Misjudgement.inTime(route, RESPONSE)).isEmpty();
         assertThat(Misjudgement.tooLate(route, RESPONSE)).isEmpty();

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.route.RouteCauses;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.SectorRoute;
@@ -21,7 +22,8 @@ class RouteDirectionsTest {
         RouteProfile profile = new RouteProfile(List.of(new RoutePoint(0, 0, HERE, 30, 0, 0, true)));
         WeakestRoute route = new WeakestRoute(new RoutePath(List.of(HERE), List.of()), 0, 0, 0);
         return IntStream.of(sectors)
-                .mapToObj(sector -> new SectorRoute(sector, route, profile, Map.of(), Map.of(), Optional.empty()))
+                .mapToObj(
+                        sector -> new SectorRoute(sector, route, profile, Map.of(), RouteCauses.NONE, Optional.empty()))
                 .toList();
     }
 

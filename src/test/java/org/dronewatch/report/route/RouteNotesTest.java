@@ -12,6 +12,7 @@ import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FlownExposure;
+import org.dronewatch.route.RouteCauses;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.RouteSurvey;
@@ -149,7 +150,7 @@ class RouteNotesTest extends RouteSamples {
         SectorRoute far = route(Map.of("slow", 1.0), 1.0, List.of(List.of(look(10.0, 1.0))));
         RouteProfile profile = new RouteProfile(
                 List.of(new RoutePoint(0, 0, START, 30, 0, 0, true), new RoutePoint(10, 100, END, 30, 0, 1, true)));
-        SectorRoute near = new SectorRoute(2, far.route(), profile, far.bySensor(), Map.of(), far.flown());
+        SectorRoute near = new SectorRoute(2, far.route(), profile, far.bySensor(), RouteCauses.NONE, far.flown());
         RouteSurvey alone = results(far).survey();
         RouteSurvey both = new RouteSurvey(List.of(far, near), alone.modes(), END, 15.0, true);
         RouteSurvey nearAlone = new RouteSurvey(List.of(near), alone.modes(), END, 15.0, true);
@@ -192,7 +193,8 @@ class RouteNotesTest extends RouteSamples {
         looks.put("slower", 1e-3);
         Map<String, Double> searched = Map.of("slow", 0.7, "slower", 9.0);
         SectorRoute flown = route(looks, 10.0, List.of(List.of(look(14.0, 20.0)), List.of(look(16.0, 20.0))));
-        SectorRoute route = new SectorRoute(0, flown.route(), flown.searched(), searched, Map.of(), flown.flown());
+        SectorRoute route =
+                new SectorRoute(0, flown.route(), flown.searched(), searched, RouteCauses.NONE, flown.flown());
 
         assertThat(warning(route)).contains("'slower' may look at any moment, whereas it looks only every 20 s");
     }
@@ -234,7 +236,7 @@ class RouteNotesTest extends RouteSamples {
                 new RoutePoint(0, 0, START, 30, 0, 0, true),
                 new RoutePoint(time, 10.0 * time, new Position(0, 300.0 - 10.0 * time, 30), 30, 0, 0, true),
                 new RoutePoint(30, 300, END, 30, 0, 3.0, true)));
-        return new SectorRoute(0, route.route(), profile, Map.of(), Map.of(), route.flown());
+        return new SectorRoute(0, route.route(), profile, Map.of(), RouteCauses.NONE, route.flown());
     }
 
     /**
@@ -283,7 +285,7 @@ class RouteNotesTest extends RouteSamples {
                 new WeakestRoute(all.route().path(), 0, 0, 30),
                 all.searched(),
                 all.bySensor(),
-                Map.of(),
+                RouteCauses.NONE,
                 Optional.of(new FlownExposure(flown, bySensor)));
     }
 

@@ -12,6 +12,7 @@ import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.fusion.ProtectedZone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FlownExposure;
+import org.dronewatch.route.RouteCauses;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.RouteSurvey;
@@ -72,7 +73,7 @@ abstract class RouteSamples {
                 new WeakestRoute(path, searched, 0, 30),
                 profile,
                 bySensor,
-                Map.of(),
+                RouteCauses.NONE,
                 Optional.of(new FlownExposure(flown, bySensor)));
     }
 

@@ -8,9 +8,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.report.map.RouteMap;
+import org.dronewatch.route.CauseTimes;
+import org.dronewatch.route.RouteCauses;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.ProvenChance;
 import org.dronewatch.route.proof.RouteProof;
+import org.dronewatch.sensor.Cause;
 import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.Test;
 
@@ -37,6 +40,70 @@ class RouteWordsTest extends RouteSamples {
                                 route(three, 1.0, route.flown().orElseThrow().flights()))))
                 .contains("is detected, mostly by b, with a probability of ")
                 .contains(". The drone is detected in time with a probability of 39 %.");
+    }
+
+    /** The dominant cause is that of the sensor that comes nearest to a detection, and hides that of the other. */
+    @Test
+    void causesThatDifferAreStatedBySensor() {
+        CauseTimes weak = new CauseTimes(Map.of(Cause.TOO_WEAK, 30.0));
+        Map<String, CauseTimes> bySensor = new LinkedHashMap<>();
+        bySensor.put(
+                "slow",
+                new CauseTimes(Map.of(
+                        Cause.OUT_OF_VIEW,
+                        22.2,
+                        Cause.TOO_SLOW,
+                        5.7,
+                        Cause.HIDDEN_BY_BUILDING,
+                        1.8,
+                        Cause.SILENT,
+                        0.3)));
+        bySensor.put("slower", weak);
+        SectorRoute route = missed(weak, bySensor);
+        RouteReasons reasons = new RouteReasons(inputs.settings());
+
+        assertThat(reasons.inWords(route))
+                .contains(
+                        "slow: out of view 74 % of the time, too slow 19 %, hidden by a building 6 %; slower: echo too"
+                                + " weak all the time");
+        assertThat(new RouteWords(inputs).weakest(results(route)))
+                .contains(
+                        "30 m above the ground (slow: out of view 74 % of the time; slower: echo too weak all the time):"
+                                + " no sensor detects it on the way");
+    }
+
+    @Test
+    void aCauseThatAllSensorsShareIsStatedOnce() {
+        CauseTimes weak = new CauseTimes(Map.of(Cause.TOO_WEAK, 20.0, Cause.DETECTED, 10.0));
+        RouteReasons reasons = new RouteReasons(inputs.settings());
+
+        assertThat(reasons.inWords(missed(weak, Map.of("slow", weak, "slower", weak))))
+                .contains("too small, faint or quiet for the sensors most of the time");
+    }
+
+    @Test
+    void manySensorsAreCountedByTheirMainCause() {
+        CauseTimes hidden = new CauseTimes(Map.of(Cause.HIDDEN_BY_BUILDING, 20.0, Cause.OUT_OF_VIEW, 10.0));
+        Map<String, CauseTimes> bySensor = new LinkedHashMap<>();
+        for (int i = 1; i <= 5; i++) {
+            bySensor.put("camera-" + i, hidden);
+        }
+        bySensor.put("far", new CauseTimes(Map.of(Cause.OUT_OF_RANGE, 30.0)));
+
+        assertThat(new RouteReasons(inputs.settings()).inWords(missed(hidden, bySensor)))
+                .contains("5 sensors: mainly hidden by a building; far: mainly out of range");
+    }
+
+    /** A route on which nothing detects the drone. */
+    private static SectorRoute missed(CauseTimes dominant, Map<String, CauseTimes> bySensor) {
+        SectorRoute route = route(Map.of("slow", 0.0), 0.0, List.of(List.of()));
+        return new SectorRoute(
+                0,
+                route.route(),
+                route.searched(),
+                route.bySensor(),
+                new RouteCauses(dominant, bySensor),
+                route.flown());
     }
 
     /** Not even a look at the moment at which the flight begins is in time. */

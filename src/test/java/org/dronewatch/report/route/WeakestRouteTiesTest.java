@@ -11,6 +11,7 @@ import java.util.function.DoubleFunction;
 import java.util.stream.DoubleStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FlownExposure;
+import org.dronewatch.route.RouteCauses;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.RouteSurvey;
@@ -40,7 +41,7 @@ class WeakestRouteTiesTest {
                         new RoutePoint(0.0, 0.0, start, 30.0, 0, 0.0, true),
                         new RoutePoint(43.0, 430.0, end, 30.0, 0, exposure, true))),
                 Map.of(),
-                Map.of(),
+                RouteCauses.NONE,
                 Optional.of(new FlownExposure(
                         List.of(List.of(
                                 new FlownExposure.Step(0.0, 10.0, -Math.log1p(-inTime)),

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.FlownExposure;
 import org.dronewatch.route.FlownExposure.Step;
+import org.dronewatch.route.RouteCauses;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteProfile;
 import org.dronewatch.route.SectorRoute;
@@ -59,7 +60,7 @@ class UnforeseenExposureTest {
                 new WeakestRoute(path, EXPECTED * SECONDS, 0.0, SECONDS),
                 profile,
                 Map.of("radar", EXPECTED * SECONDS),
-                Map.of(),
+                RouteCauses.NONE,
                 Optional.of(new FlownExposure(flights, Map.of("radar", 1.0))));
     }
 
