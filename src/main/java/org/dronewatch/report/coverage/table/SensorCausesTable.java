@@ -17,8 +17,8 @@ import org.dronewatch.setting.Counted;
  * sensor that comes nearest to a detection, and hide those of the others.
  */
 public final class SensorCausesTable {
-    /** The greatest number of sensors in the printed table. */
-    static final int MOST_ROWS = 12;
+    /** Of more sensors than one beyond this number, the printed table has only this many. */
+    private static final int MOST_ROWS = 12;
 
     private static final String NAME = "%-24s";
 
@@ -59,14 +59,16 @@ public final class SensorCausesTable {
         StringBuilder header = new StringBuilder(text(NAME, "sensor"));
         columns.forEach(cause -> header.append("  ").append(CoverageTable.name(cause)));
         lines.add(header.toString());
-        causes.entrySet().stream().limit(MOST_ROWS).forEach(sensor -> {
+        // A line that says that one more sensor is left out would be as long as that sensor's row.
+        int shown = causes.size() == MOST_ROWS + 1 ? causes.size() : MOST_ROWS;
+        causes.entrySet().stream().limit(shown).forEach(sensor -> {
             StringBuilder line = new StringBuilder(text(NAME, sensor.getKey()));
             columns.forEach(cause -> line.append(
                     text("  %" + CoverageTable.name(cause).length() + "s", percent(sensor.getValue(), cause))));
             lines.add(line.toString());
         });
-        if (causes.size() > MOST_ROWS) {
-            lines.add("and " + Counted.of(causes.size() - MOST_ROWS, "more sensor") + " in report.html");
+        if (causes.size() > shown) {
+            lines.add("and " + Counted.of(causes.size() - shown, "more sensor") + " in report.html");
         }
         return lines;
     }

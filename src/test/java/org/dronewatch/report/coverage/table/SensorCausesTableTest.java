@@ -47,4 +47,17 @@ class SensorCausesTableTest {
         assertThat(lines.get(13)).startsWith("camera-12 ");
         assertThat(table.html()).contains(">camera-15<");
     }
+
+    /** The line that says so would be as long as the row that it leaves out. */
+    @Test
+    void aSingleSensorIsNotLeftOut() {
+        Map<String, Map<Cause, Integer>> causes = new LinkedHashMap<>();
+        for (int i = 1; i <= 13; i++) {
+            causes.put("camera-" + i, Map.of(Cause.TOO_WEAK, 10));
+        }
+        List<String> lines = new SensorCausesTable(causes, 10).lines();
+
+        assertThat(lines).hasSize(15);
+        assertThat(lines.get(14)).startsWith("camera-13 ");
+    }
 }
