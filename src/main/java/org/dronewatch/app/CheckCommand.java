@@ -3,14 +3,17 @@ package org.dronewatch.app;
 import java.io.PrintWriter;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.dronewatch.analysis.survey.MountingHeight;
 import org.dronewatch.app.console.Notes;
 import org.dronewatch.app.option.JsonOption;
 import org.dronewatch.app.option.SceneChoice;
 import org.dronewatch.drone.ThreatLabel;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.report.html.BlockerWords;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.Scene;
@@ -51,9 +54,8 @@ final class CheckCommand implements Callable<Integer> {
         List<SceneSettings> runs = runner.settingsOfRuns();
         runs.forEach(runner::checkPilot);
         runner.adviseOnConditions();
-        Stage stage = runner.stage(runs.get(0));
+        Map<String, Optional<MountingHeight>> heights = heights(runs.get(0), runner.stage(runs.get(0)));
         runs.stream().skip(1).forEach(runner::stage);
-        Map<String, Optional<MountingHeight>> heights = heights(runs.get(0), stage);
         json.print(() -> toJson(scene, runs, heights), out -> print(scene, runs, heights, out));
         return 0;
     }
@@ -78,13 +80,20 @@ final class CheckCommand implements Callable<Integer> {
         labels(first).forEach((id, label) -> out.printf("drone '%s' is labelled %s%n", id, label));
         heights.entrySet().stream()
                 .limit(MOST_SENSORS)
-                .forEach(entry -> out.printf(
-                        "sensor '%s' is %s%n",
-                        entry.getKey(),
-                        entry.getValue().map(MountingHeight::inWords).orElse("not above any surface")));
+                .forEach(sensor -> out.printf(
+                        Locale.ROOT,
+                        "sensor '%s' is %s%s%s%n",
+                        sensor.getKey(),
+                        sensor.getValue().map(CheckCommand::inWords).orElse("not above any surface"),
+                        runs.size() == 1 ? "" : " in the first run",
+                        first.disabled().contains(sensor.getKey()) ? " (switched off)" : ""));
         if (heights.size() > MOST_SENSORS) {
-            out.printf("... and %d more sensors%n", heights.size() - MOST_SENSORS);
+            out.printf("... and %s%n", Counted.of(heights.size() - MOST_SENSORS, "more sensor"));
         }
+    }
+
+    private static String inWords(MountingHeight height) {
+        return String.format(Locale.ROOT, "%.1f m above %s", height.metres(), BlockerWords.footing(height.surface()));
     }
 
     /** The labels of the drones that have one, in words. */
@@ -118,7 +127,9 @@ final class CheckCommand implements Callable<Integer> {
         heights.forEach((name, height) -> {
             ObjectNode one = above.putObject(name);
             one.put("above_m", height.map(its -> Numbers.rounded(its.metres())).orElse(null));
-            one.put("surface", height.map(MountingHeight::surface).orElse(null));
+            one.put(
+                    "surface",
+                    height.map(its -> BlockerWords.footing(its.surface())).orElse(null));
         });
         return root;
     }

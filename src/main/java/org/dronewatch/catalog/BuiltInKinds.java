@@ -43,11 +43,15 @@ public final class BuiltInKinds implements KindGroup {
 
     private static List<Kind<?>> sensors() {
         return List.of(
-                sensor("camera", CameraSettings.class, "sees drones in daylight, by the pixels that they cover"),
-                sensor("acoustic", AcousticSettings.class, "hears drones: a microphone or an array of microphones"),
+                sensor("camera", CameraSettings.class, "sees drones in daylight, by the pixels that they cover")
+                        .withSynonyms("video", "optical", "eo"),
+                sensor("acoustic", AcousticSettings.class, "hears drones: a microphone or an array of microphones")
+                        .withSynonyms("microphone", "audio", "sound"),
                 sensor("radar", RadarSettings.class, "detects the radar echoes of drones"),
-                sensor("rf", RfSettings.class, "receives the radio signals of drones and their pilots"),
-                sensor("thermal", ThermalSettings.class, "detects the heat of drones, by day and night"));
+                sensor("rf", RfSettings.class, "receives the radio signals of drones and their pilots")
+                        .withSynonyms("radio", "receiver", "sdr"),
+                sensor("thermal", ThermalSettings.class, "detects the heat of drones, by day and night")
+                        .withSynonyms("infrared", "ir"));
     }
 
     private static List<Kind<?>> detectionFunctions() {

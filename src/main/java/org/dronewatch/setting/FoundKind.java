@@ -44,6 +44,9 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         if (kind.summary() == null || kind.summary().isBlank() || kind.summary().contains("\n")) {
             throw new InputException(place + "its summary must be one line");
         }
+        if (kind.synonyms() == null) {
+            throw new InputException(place + "its synonyms must be a list, which may be empty");
+        }
     }
 
     /** A kind that some class provides. */

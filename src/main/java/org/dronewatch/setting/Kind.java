@@ -1,5 +1,7 @@
 package org.dronewatch.setting;
 
+import java.util.List;
+
 /**
  * A kind of settings that scenes can choose by name: a kind of sensor, of flight, of propagation. A provider implements
  * this interface, has a public constructor without parameters, and is named in its jar's {@code
@@ -26,6 +28,14 @@ public interface Kind<T> {
     String summary();
 
     /**
+     * Other words for it, in lower case, that somebody may write instead of its name. Files do not accept them, but a
+     * message then suggests the name.
+     */
+    default List<String> synonyms() {
+        return List.of();
+    }
+
+    /**
      * A kind with these four properties.
      *
      * @param type the interface
@@ -34,6 +44,11 @@ public interface Kind<T> {
      * @param summary one line
      */
     static <T> Kind<T> of(Class<? super T> type, String name, Class<? extends T> settings, String summary) {
-        return new PlainKind<>(type, name, settings, summary);
+        return new PlainKind<>(type, name, settings, summary, List.of());
+    }
+
+    /** This kind with other words for it: see {@link #synonyms}. */
+    default Kind<T> withSynonyms(String... words) {
+        return new PlainKind<>(type(), name(), settings(), summary(), List.of(words));
     }
 }

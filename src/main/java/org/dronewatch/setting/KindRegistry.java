@@ -135,15 +135,14 @@ public final class KindRegistry {
         return byType.containsKey(type);
     }
 
-    /** The only kind of a type whose summary contains a word: a {@code microphone} is of kind {@code acoustic}. */
-    public Optional<String> describedAs(Class<?> type, String word) {
-        List<String> names = all.stream()
+    /** The name of the kind of a type for which a word is another one; empty if there is none. */
+    public Optional<String> byAnotherWord(Class<?> type, String word) {
+        return all.stream()
                 .map(FoundKind::kind)
                 .filter(kind -> kind.type() == type)
-                .filter(kind -> List.of(kind.summary().split("\\W+")).contains(word.toLowerCase(Locale.ROOT)))
+                .filter(kind -> kind.synonyms().contains(word.toLowerCase(Locale.ROOT)))
                 .map(Kind::name)
-                .toList();
-        return names.size() == 1 ? Optional.of(names.get(0)) : Optional.empty();
+                .findFirst();
     }
 
     /** The settings of the kinds of a type by name; none when it has no kinds. */

@@ -1,5 +1,8 @@
 package org.dronewatch.setting;
 
-/** A {@link Kind} with these four properties. */
-record PlainKind<T>(Class<? super T> type, String name, Class<? extends T> settings, String summary)
+import java.util.List;
+
+/** A {@link Kind} with these properties. */
+record PlainKind<T>(
+        Class<? super T> type, String name, Class<? extends T> settings, String summary, List<String> synonyms)
         implements Kind<T> {}

@@ -134,12 +134,12 @@ public final class SettingText {
         Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
         if (chosen == null) {
             throw new IllegalArgumentException("'" + text + "' is not one of " + kinds.keySet()
-                    + (text.strip().startsWith("{") ? "; settings in braces have to be in the scene itself" : ""));
+                    + (text.strip().startsWith("{") ? "; settings in braces can only be written in the scene" : ""));
         }
         SettingsForm form = SettingsForm.of(chosen);
         if (!form.isCompleteByDefault()) {
             throw new IllegalArgumentException("'" + text.strip() + "' needs " + String.join(", ", form.required())
-                    + ", which have to be in the scene itself; the kinds are " + kinds.keySet());
+                    + ", which can only be written in the scene; the kinds are " + kinds.keySet());
         }
         return form.create(Map.of());
     }

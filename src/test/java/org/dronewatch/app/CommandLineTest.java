@@ -223,6 +223,18 @@ class CommandLineTest extends CommandLines {
                 .contains("sensor 'north-east-2' is 0.9 m above house.obj")
                 .contains("sensor 'north-east-1' is not above any surface")
                 .anyMatch(line -> line.matches("sensor 'microphone' is [0-9.]+ m above the ground"));
+        assertThat(Program.run("check", "multi-sensor", "--json").out())
+                .containsPattern("\"north-east-2\" : \\{\\s+\"above_m\" : 0.89[0-9]+,\\s+\"surface\" : \"house.obj\"");
+    }
+
+    @Test
+    void checkSaysWhichSensorsAreSwitchedOffAndOfWhichRunItSpeaks() {
+        Program.Outcome outcome = Program.run("check", "camera-range", "--set", "sensors.camera.enabled=false");
+
+        assertThat(outcome.out().lines().skip(1))
+                .singleElement()
+                .asString()
+                .endsWith(" in the first run (switched off)");
     }
 
     @Test

@@ -100,7 +100,7 @@ class SettingsPathTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "orbit"))
                 .withMessage(
-                        "drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which have to be in the scene itself;"
+                        "drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which can only be written in the scene;"
                                 + " the kinds"
                                 + " are [hover, approach, inbound, waypoints, route, glide, orbit, terrain-following,"
                                 + " low-approach, dive,"
@@ -110,7 +110,7 @@ class SettingsPathTest {
                 .withMessageStartingWith("drones.quadrotor.flight=obrit: 'obrit' is not one of [hover, approach, ");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "{kind: orbit}"))
-                .withMessageEndingWith("; settings in braces have to be in the scene itself");
+                .withMessageEndingWith("; settings in braces can only be written in the scene");
     }
 
     @ParameterizedTest

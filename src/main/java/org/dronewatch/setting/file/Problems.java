@@ -40,7 +40,7 @@ final class Problems {
     /** Adds that there is no kind with this name, and which one may be meant. */
     void unknownKind(Mark mark, String field, String name, Collection<String> known, Class<?> type) {
         KindRegistry kinds = KindRegistry.found();
-        String meant = kinds.describedAs(type, name)
+        String meant = kinds.byAnotherWord(type, name)
                 .or(() -> Spelling.meant(name, known))
                 .map(Spelling::question)
                 .orElse("");
