@@ -2,20 +2,27 @@ package org.dronewatch.report.file;
 
 import java.io.File;
 import java.nio.file.Path;
+import java.util.regex.Pattern;
 import org.dronewatch.setting.PlainText;
 
 /** A word as it is typed on a command line. */
 public final class ShellWord {
+    /** The backslash separates the names of a path on Windows; it is an escape character in other shells. */
+    private static final boolean IS_WINDOWS = File.separatorChar == '\\';
+
+    /** Some shells replace a word that begins with '=' by the path of a command. */
+    private static final Pattern PLAIN = Pattern.compile("(?!=)[\\w./:=,%+" + (IS_WINDOWS ? "\\\\" : "") + "-]+");
+
     private ShellWord() {}
 
     /** The word, in quotation marks if it has characters that shells may take for something else. */
     public static String of(String word) {
         String plain = PlainText.lines(word);
-        if (plain.matches("[\\w./:=,%+\\\\-]+")) {
+        if (PLAIN.matcher(plain).matches()) {
             return plain;
         }
         // Within double quotation marks, these still have a meaning for most shells, but not for that of Windows.
-        boolean hasMeaning = File.separatorChar == '/' && plain.matches("(?s).*[\"$`\\\\!].*");
+        boolean hasMeaning = !IS_WINDOWS && plain.matches("(?s).*[\"$`\\\\!].*");
         return hasMeaning ? "'" + plain.replace("'", "'\\''") + "'" : '"' + plain + '"';
     }
 
@@ -26,6 +33,8 @@ public final class ShellWord {
         if (absolute.equals(here)) {
             return ".";
         }
-        return of((absolute.startsWith(here) ? here.relativize(absolute) : path.normalize()).toString());
+        String word = (absolute.startsWith(here) ? here.relativize(absolute) : path.normalize()).toString();
+        // Commands take a word that begins with '-' for an option.
+        return of(word.startsWith("-") ? Path.of(".", word).toString() : word);
     }
 }

@@ -26,16 +26,38 @@ class ShellWordTest {
                 .isEqualTo(here.resolveSibling("layout.yaml").toString());
         assertThat(ShellWord.of(Path.of("my layout", "layout.yaml")))
                 .isEqualTo("\"my layout" + File.separator + "layout.yaml\"");
+        assertThat(ShellWord.of(Path.of("-x", "layout.yaml")))
+                .isEqualTo("." + File.separator + "-x" + File.separator + "layout.yaml");
     }
 
     /** The shell gives back each word as it is. */
     @ParameterizedTest
-    @ValueSource(strings = {"plain", "two words", "a;b", "$HOME", "it's", "`date`", "a\"b", "$5 isn't \"much\"", "*"})
+    @ValueSource(
+            strings = {
+                "plain",
+                "two words",
+                "a;b",
+                "$HOME",
+                "it's",
+                "`date`",
+                "a\"b",
+                "a\\b",
+                "=x",
+                "$5 isn't \"much\"",
+                "*"
+            })
     void aShellTakesItForOneWord(String word) throws IOException {
         assumeTrue(Files.isExecutable(SHELL), "needs a POSIX shell");
         Process process = new ProcessBuilder(SHELL.toString(), "-c", "printf '%s|' " + ShellWord.of(word)).start();
 
         assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8))
                 .isEqualTo(word + "|");
+    }
+
+    /** In zsh, {@code =ls} is the path of a command, unless it is quoted. */
+    @Test
+    void aWordThatBeginsWithAnEqualsSignIsQuoted() {
+        assertThat(ShellWord.of("=ls")).isEqualTo("\"=ls\"");
+        assertThat(ShellWord.of("a=b")).isEqualTo("a=b");
     }
 }
