@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 
-/** A layout that counts on radio receivers says what remains of it where the drone transmits nothing. */
+/** A layout that relies on radio receivers says what remains of it where the drone transmits nothing. */
 class PlaceSilentDroneTest {
     private static final String RECEIVERS =
             """
@@ -33,10 +33,10 @@ class PlaceSilentDroneTest {
     private static final String SILENT = "--set=drones.one.radio.control=autonomous";
 
     private static final String NOTHING =
-            "Against a drone that transmits nothing (autonomous or on a fibre), the layout's ";
+            "Against a drone that transmits nothing (autonomous, or controlled by fibre), the layout's ";
 
     private static final String HINT =
-            "; '--set drones.one.radio.control=autonomous' finds the best layout against it.";
+            ". Run place with '--set drones.one.radio.control=autonomous' for the best layout against it.";
 
     @TempDir
     private Path directory;

@@ -30,7 +30,9 @@ public record Course(
         Optional<String> sensor,
         Optional<GlideDescent> glide,
         OptionalDouble speed) {
-    private static final int COMPASS_POINTS = 8;
+    /** Number of directions of the compass among the courses. */
+    public static final int COMPASS_POINTS = 8;
+
     private static final Position NOWHERE = new Position(0, 0, 0);
 
     /** What determines the heading. */

@@ -67,7 +67,9 @@ final class CoverageChapter {
         return Html.plain(
                         "p",
                         "The table states the coverage" + FieldsTable.byOne(fold) + FieldsTable.heading(fields)
-                                + (best.headings() > 1 ? ", not " + ShareMeasure.MEAN + " as in the tables above" : "")
+                                + (best.headings() > 1
+                                        ? ", not " + ShareMeasure.mean(best.headings()) + " as in the tables above"
+                                        : "")
                                 + ", in % of the known area at each height; the same after the loss of the sensor that"
                                 + " matters most there; and the largest gap. "
                                 + FieldsTable.worstPlace(fields.layout())
@@ -85,12 +87,13 @@ final class CoverageChapter {
         }
         Map<String, String> without = new LinkedHashMap<>();
         best.withoutEach().forEach((sensor, value) -> without.put(sensor, FrontWords.percent(value)));
-        return losses.html(Optional.of(new Losses.Total(
+        return losses.html(Optional.of(new Losses.OtherFigure(
                 "The figures of each height count only the heading that is worst in each cell; those in the first"
-                        + " column are " + ShareMeasure.MEAN + ", as in 'What to buy'. A sensor that adds much to the"
+                        + " column are " + ShareMeasure.mean(best.headings())
+                        + ", as in 'What to buy'. A sensor that adds much to the"
                         + " latter may add nothing to the former. ",
                 "the coverage" + FieldsTable.heading(fields),
-                "all heights, " + ShareMeasure.MEAN,
+                "all heights, " + ShareMeasure.mean(best.headings()),
                 FrontWords.percent(best.value()),
                 without)));
     }
@@ -123,7 +126,9 @@ final class CoverageChapter {
                         + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
                         + " m above the ground: what is smaller than a cell may be missed.",
                 best.headings() > 1
-                        ? "Unless stated otherwise, each of eight headings of the drone counts as an eighth of a cell."
+                        ? "Unless stated otherwise, the " + ShareMeasure.inWords(best.headings())
+                                + " headings of the drone count alike: a cell that is covered on half of them counts as half"
+                                + " a cell."
                         : "The drone flies towards the protected zone.",
                 PlaceReport.flight(best.plan()));
     }

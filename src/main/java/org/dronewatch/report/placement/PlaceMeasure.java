@@ -1,6 +1,7 @@
 package org.dronewatch.report.placement;
 
 import java.util.OptionalDouble;
+import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.placement.plan.AirSettings;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.WarningMeasure;
@@ -15,7 +16,7 @@ public interface PlaceMeasure {
                 new ShareMeasure(
                         plan.settings().conditions().fold(),
                         !plan.settings().air().weights().isEmpty(),
-                        plan.settings().air().heading() == AirSettings.Heading.ANY);
+                        plan.settings().air().heading() == AirSettings.Heading.ANY ? Course.COMPASS_POINTS : 1);
             case WARNING_TIME -> new SecondsMeasure(plan.settings().warning() == WarningMeasure.WORST);
             case WEAKEST_ROUTE -> new DetectionMeasure();
         };
@@ -25,12 +26,12 @@ public interface PlaceMeasure {
     String purpose();
 
     /** How values are averaged, as the end of a sentence on one of them; or an empty text. */
-    default String average() {
+    default String headingsClause() {
         return "";
     }
 
     /** On which headings the values of a table are based, in a sentence and a space; or an empty text. */
-    default String basis() {
+    default String headingsOfTable() {
         return "";
     }
 

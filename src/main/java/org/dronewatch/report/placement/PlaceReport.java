@@ -140,7 +140,7 @@ final class PlaceReport {
                     PlaceWords.money(step.cost()),
                     measure.text(step.value())));
         }
-        return Html.plain("p", measure.basis() + order() + measure.columns())
+        return Html.plain("p", measure.headingsOfTable() + order() + measure.columns())
                 + Html.table(head, rows)
                 + table.late().map(late -> Html.plain("p", late)).orElse("")
                 + table.early().map(early -> Html.plain("p", early)).orElse("");
@@ -158,7 +158,7 @@ final class PlaceReport {
             case BEST_LEFT ->
                 "The sensors are listed in the order in which to buy them. Since only the worst case counts, which the"
                         + " first sensors may not improve, the order was found backwards: at each step, the sensor"
-                        + " whose removal costs least was left out; in a tie, the one that contributes least over all"
+                        + " whose removal worsens the result least was left out; in a tie, the one that contributes least over all"
                         + " cases per unit of price. ";
         };
     }
@@ -190,7 +190,7 @@ final class PlaceReport {
         }
         return Html.plain(
                         "p",
-                        measure.basis()
+                        measure.headingsOfTable()
                                 + "Each row is the best layout that was found for its cost, in a separate search; a more"
                                 + " expensive layout need not contain a cheaper one. No layout for that money can exceed the upper"
                                 + " bound. 'Change' states what is bought, and where most is gained, as seen from the"

@@ -191,7 +191,7 @@ final class PlaceTable {
     Optional<String> present(String whose) {
         return layout.present()
                 .map(own -> whose + counted(own) + " " + measure.claim(own.sensors() == 1, own.value())
-                        + measure.average() + worse(own) + ".");
+                        + measure.headingsClause() + worse(own) + ".");
     }
 
     /** That a layout is worse than the scene's own sensors, as the end of a sentence on these; or an empty text. */
@@ -226,7 +226,7 @@ final class PlaceTable {
         return layout.withoutEach().entrySet().stream()
                 .min(Map.Entry.comparingByValue())
                 .map(worst -> "Without " + worst.getKey() + ", whose loss is worst, the layout "
-                        + measure.claim(true, worst.getValue()) + measure.average() + "." + uncuedWithout());
+                        + measure.claim(true, worst.getValue()) + measure.headingsClause() + "." + uncuedWithout());
     }
 
     /** Which losses leave other sensors without a cue, in sentences that follow another one; or an empty text. */

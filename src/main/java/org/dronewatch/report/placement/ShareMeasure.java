@@ -1,5 +1,6 @@
 package org.dronewatch.report.placement;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import org.dronewatch.placement.site.SectorGain;
 import org.dronewatch.report.CompassPoint;
@@ -10,25 +11,39 @@ import org.dronewatch.report.file.Numbers;
  *
  * @param fold number of sensors that must cover a cell
  * @param isWeighted whether some cells count more than others
- * @param isMean whether all headings count alike, and not only that of inbound flight
+ * @param headings number of headings that count alike; 1 if only that of inbound flight counts
  */
-record ShareMeasure(int fold, boolean isWeighted, boolean isMean) implements PlaceMeasure {
+record ShareMeasure(int fold, boolean isWeighted, int headings) implements PlaceMeasure {
+    private static final List<String> NUMBERS = List.of(
+            "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve");
+
     /** What the search counts, in the same words in all tables that state it. */
-    static final String MEAN = "averaged over eight headings";
+    static String mean(int headings) {
+        return "averaged over " + inWords(headings) + " headings";
+    }
+
+    /** A number of headings as a word; in digits above twelve. */
+    static String inWords(int headings) {
+        return headings < NUMBERS.size() ? NUMBERS.get(headings) : Integer.toString(headings);
+    }
+
+    private boolean isMean() {
+        return headings > 1;
+    }
 
     @Override
     public String purpose() {
-        return isMean ? ", judged by its coverage " + MEAN : "";
+        return isMean() ? ", judged by its coverage " + mean(headings) : "";
     }
 
     @Override
-    public String average() {
-        return isMean ? ", " + MEAN : "";
+    public String headingsClause() {
+        return isMean() ? ", " + mean(headings) : "";
     }
 
     @Override
-    public String basis() {
-        return isMean ? "This table states the coverage " + MEAN + ". " : "";
+    public String headingsOfTable() {
+        return isMean() ? "This table states the coverage " + mean(headings) + ". " : "";
     }
 
     @Override
@@ -43,7 +58,7 @@ record ShareMeasure(int fold, boolean isWeighted, boolean isMean) implements Pla
 
     @Override
     public String whole() {
-        return " of the " + air() + (fold > 1 ? " with " + fold + " sensors or more" : "") + average();
+        return " of the " + air() + (fold > 1 ? " with " + fold + " sensors or more" : "") + headingsClause();
     }
 
     private String air() {

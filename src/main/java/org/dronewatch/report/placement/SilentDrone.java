@@ -53,14 +53,14 @@ record SilentDrone(PlacedLayout layout, PlaceMeasure measure) {
         if (count == 0 || isSame) {
             return Optional.empty();
         }
-        String detecting = "Against a drone that transmits nothing (autonomous or on a fibre), the layout's "
+        String detecting = "Against a drone that transmits nothing (autonomous, or controlled by fibre), the layout's "
                 + (count == 1 ? "radio receiver detects" : count + " radio receivers detect") + " nothing";
-        return Optional.of(detecting + remaining(count, others) + hint() + ".");
+        return Optional.of(detecting + remaining(count, others) + "." + hint());
     }
 
     private String remaining(int receivers, OptionalDouble others) {
         if (others.isPresent()) {
-            return ": the layout then " + measure.claim(true, others.getAsDouble()) + measure.average();
+            return ": the layout then " + measure.claim(true, others.getAsDouble()) + measure.headingsClause();
         }
         int left = layout.chosen().size() - receivers;
         return left == 1 ? ": only its other sensor counts" : ": only its " + left + " other sensors count";
@@ -70,8 +70,8 @@ record SilentDrone(PlacedLayout layout, PlaceMeasure measure) {
     private String hint() {
         String drone = layout.plan().drone();
         return layout.plan().present().drones().containsKey(drone)
-                ? "; '--set " + ShellWord.of("drones." + drone + ".radio.control=autonomous")
-                        + "' finds the best layout against it"
+                ? " Run place with '--set " + ShellWord.of("drones." + drone + ".radio.control=autonomous")
+                        + "' for the best layout against it."
                 : "";
     }
 

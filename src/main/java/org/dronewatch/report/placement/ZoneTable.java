@@ -21,7 +21,7 @@ final class ZoneTable {
 
     ZoneTable(SitePlacement best) {
         this.zones = best.byZone();
-        this.average = PlaceMeasure.of(best.plan()).average();
+        this.average = PlaceMeasure.of(best.plan()).headingsClause();
     }
 
     /** Whether the zones have weights. */

@@ -50,7 +50,7 @@ class FrontPictureTest {
         Path site = directory.resolve("site.yaml");
         Files.writeString(site, Files.readString(site) + "prices: {currency: CHF, sensors: {round: 9}}\n");
         BudgetFront<SitePlacement> front = front(file);
-        XYChart chart = new FrontPicture(front, new ShareMeasure(1, false, true)).chart();
+        XYChart chart = new FrontPicture(front, new ShareMeasure(1, false, 8)).chart();
         XYSeries steps = series(chart, "best layouts");
         List<FrontPoint<SitePlacement>> points = front.points();
 

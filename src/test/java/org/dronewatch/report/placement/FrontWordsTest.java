@@ -7,7 +7,7 @@ import org.dronewatch.placement.site.TriedBudgets;
 import org.junit.jupiter.api.Test;
 
 class FrontWordsTest {
-    private static final PlaceMeasure MEASURE = new ShareMeasure(1, false, true);
+    private static final PlaceMeasure MEASURE = new ShareMeasure(1, false, 8);
 
     /** In reports, amounts are written as in the tables beside them. */
     @Test
@@ -30,6 +30,14 @@ class FrontWordsTest {
         assertThat(new FrontWords(MEASURE, true).tried(tried, PlaceWords::money))
                 .containsExactly("The search ended before it found a layout for these budgets, so it is not known"
                         + " whether one meets the conditions: 5.");
+    }
+
+    /** The number of headings in words is that of the search. */
+    @Test
+    void theNumberOfHeadingsIsThatOfTheMean() {
+        assertThat(new ShareMeasure(1, false, 4).headingsClause()).isEqualTo(", averaged over four headings");
+        assertThat(new ShareMeasure(1, false, 16).headingsClause()).isEqualTo(", averaged over 16 headings");
+        assertThat(new ShareMeasure(1, false, 1).headingsClause()).isEmpty();
     }
 
     /** 99.97 % is more than 99.9 %. */

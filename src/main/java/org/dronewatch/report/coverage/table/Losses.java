@@ -34,9 +34,10 @@ public final class Losses {
      * @param all with all sensors
      * @param without without each sensor, by its name
      */
-    public record Total(String introduction, String coverage, String head, String all, Map<String, String> without) {
+    public record OtherFigure(
+            String introduction, String coverage, String head, String all, Map<String, String> without) {
         /** Copies the map. */
-        public Total {
+        public OtherFigure {
             without = Map.copyOf(without);
         }
     }
@@ -54,15 +55,15 @@ public final class Losses {
     }
 
     /** The same, perhaps with another figure in the first column. */
-    public String html(Optional<Total> total) {
+    public String html(Optional<OtherFigure> other) {
         StringBuilder html = new StringBuilder();
         html.append(Html.plain(
                 "p",
-                total.map(Total::introduction).orElse("")
+                other.map(OtherFigure::introduction).orElse("")
                         + "The table states the coverage, in % of the known area at each height, with all sensors and"
                         + " without each one. If a sensor fails, a different heading of the drone may become the"
                         + " worst for the others."));
-        html.append(table(total));
+        html.append(table(other));
         List<String> bands = sensors.stream()
                 .map(this::band)
                 .flatMap(Optional::stream)
@@ -71,14 +72,14 @@ public final class Losses {
         if (!bands.isEmpty()) {
             html.append(Html.element("ul", String.join("", bands)));
         }
-        return html.append(Html.plain("p", idle(total.map(Total::coverage).orElse(THIS))))
+        return html.append(Html.plain("p", idle(other.map(OtherFigure::coverage).orElse(THIS))))
                 .toString();
     }
 
-    private String table(Optional<Total> total) {
+    private String table(Optional<OtherFigure> other) {
         List<String> head = new ArrayList<>(List.of("sensors"));
         List<String> all = new ArrayList<>(List.of("all"));
-        total.ifPresent(its -> {
+        other.ifPresent(its -> {
             head.add(its.head());
             all.add(its.all());
         });
@@ -89,7 +90,7 @@ public final class Losses {
         List<List<String>> rows = new ArrayList<>(List.of(all));
         for (String sensor : sensors) {
             List<String> row = new ArrayList<>(List.of("without " + sensor));
-            total.ifPresent(its -> row.add(its.without().getOrDefault(sensor, "-")));
+            other.ifPresent(its -> row.add(its.without().getOrDefault(sensor, "-")));
             for (HeightSummary height : heights) {
                 int lost = height.lost().get(sensor);
                 row.add(percent(height.covered() - lost, height)
