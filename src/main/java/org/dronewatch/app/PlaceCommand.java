@@ -150,11 +150,11 @@ final class PlaceCommand implements Callable<Integer> {
         PlacePlan fine =
                 cell == null ? read : read.withCell((double) FieldOptions.value("cell", cell, FieldGrid.class, "cell"));
         PlacePlan plan = budget == null ? fine : fine.withBudget(budget());
-        try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out))) {
+        try (PlaceDirectory target = out == null ? null : new PlaceDirectory(PathWord.of("--out", out), given, plan)) {
             return threads.call(() -> {
                 attacks.check(plan, seed.number());
                 if (target != null) {
-                    target.foresee(plan, shown.notes());
+                    target.foresee(shown.notes());
                 }
                 PlaceResults results = attacks.flown(
                         results(given, plan, limits, shown),
@@ -249,7 +249,7 @@ final class PlaceCommand implements Callable<Integer> {
         try {
             amount = Quantity.NUMBER.parse(budget);
         } catch (IllegalArgumentException e) {
-            throw new InputException(GivenOption.words("--budget", budget) + ": " + e.getMessage(), e);
+            throw new InputException(GivenOption.words("--budget", budget) + ": must be a number without a unit", e);
         }
         if (!(amount >= 0.0 && amount <= DEAREST)) {
             throw new InputException(GivenOption.words("--budget", budget) + ": must be 0 to 1e12");

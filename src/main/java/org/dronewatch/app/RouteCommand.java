@@ -131,7 +131,8 @@ final class RouteCommand implements Callable<Integer> {
             return ExitCode.NO_DISPLAY;
         }
         Runnable watch;
-        try (RouteDirectory target = out == null ? null : new RouteDirectory(PathWord.of("--out", out))) {
+        try (RouteDirectory target =
+                out == null ? null : new RouteDirectory(PathWord.of("--out", out), scene.directory())) {
             watch = threads.call(() -> {
                 runner.adviseOnConditions();
                 Stage stage = runner.stage(settings);

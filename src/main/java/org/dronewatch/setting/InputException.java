@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
  * Reports wrong input by the user: a file, a field, an option. The message has one line for each mistake, which gives
  * the location, the value and the limit, and is shown unchanged.
  */
-public final class InputException extends RuntimeException {
+public class InputException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     /** A problem described in one line. */

@@ -5,12 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
+import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.PlacedSite;
+import org.dronewatch.report.placement.PlaceDirectory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -193,7 +196,8 @@ class PlaceCandidatesTest {
         Path file = PlacedSite.in(directory, "budget: 4\n");
         Outcome outcome = Program.run("place", file.toString(), "--budgets=1", "--quiet", "--out=" + directory);
 
-        String command = "'dronewatch coverage " + directory.resolve("layout.yaml") + " --";
+        String command = "This command gives the figures of the layout: dronewatch coverage "
+                + directory.resolve("layout.yaml") + " --";
         assertThat(outcome.out()).contains(command);
         assertThat(Files.readString(directory.resolve("report.html"))).contains(command);
     }
@@ -214,6 +218,54 @@ class PlaceCandidatesTest {
         assertThat(directory.resolve("layout.yaml")).isNotEmptyFile();
     }
 
+    /** All files that the layout names count, not only those of the site. */
+    @Test
+    void aDroneThatCannotBeNamedIsForeseen() throws Exception {
+        Path world = Files.createDirectory(directory.resolve("world"));
+        Path drones = Files.createDirectory(directory.resolve("drones"));
+        Path file = Files.move(PlacedSite.in(world, "budget: 4\n"), directory.resolve("radars.place.yaml"));
+        Files.copy(world.resolve("building.obj"), drones.resolve("box.obj"));
+        String site = Files.readString(world.resolve("site.yaml"));
+        Files.writeString(
+                directory.resolve("site.yaml"),
+                site.replace("{file: ", "{file: world/").replace("packaged:quadrotor.obj", "drones/box.obj"));
+        PlacePlan plan = PlacePlan.read(file, runner -> {}, note -> {});
+        List<String> notes = new ArrayList<>();
+        try (PlaceDirectory out = new PlaceDirectory(world, file, plan)) {
+            out.foresee(notes::add);
+            out.foresee(notes::add);
+        }
+
+        assertThat(notes).hasSize(1);
+        assertThat(notes.get(0))
+                .startsWith(
+                        "warning: the layout is not written as a scene, so there is no layout.yaml: drones.one.model")
+                .endsWith("cannot name it; use --out " + directory);
+        try (PlaceDirectory out = new PlaceDirectory(directory, file, plan)) {
+            out.foresee(notes::add);
+        }
+        assertThat(notes).hasSize(1);
+    }
+
+    /** A search may begin with the layout of an earlier one, which must not replace it. */
+    @Test
+    void theSceneOfTheSearchIsNotReplaced() throws Exception {
+        Path site = Files.createDirectory(directory.resolve("site"));
+        Path file = PlacedSite.in(site, "budget: 4\n");
+        Path scene = Files.move(site.resolve("site.yaml"), site.resolve("layout.yaml"));
+        Files.writeString(file, Files.readString(file).replace("site.yaml", "layout.yaml"));
+        Files.writeString(site.resolve("place.json"), "{}");
+        String before = Files.readString(scene);
+        Outcome refused = Program.run("place", file.toString(), "--budgets=1", "--out=" + site);
+
+        assertThat(refused.code()).isEqualTo(2);
+        assertThat(refused.complaints())
+                .containsExactly("output directory " + site + " holds an input of the search (layout.yaml), which"
+                        + " would be replaced: choose another directory");
+        assertThat(scene).hasContent(before);
+        assertThat(advised(file.toString(), directory.resolve("elsewhere"))).isEqualTo(directory);
+    }
+
     /** The directory that the warning, which is given only once, advises. */
     private static Path advised(String file, Path out) {
         Outcome outcome = Program.run("place", file, "--budgets=1", "--quiet", "--out=" + out);
@@ -222,7 +274,8 @@ class PlaceCandidatesTest {
                 .filter(line -> line.startsWith("warning: the layout is not written as a scene"))
                 .toList();
         assertThat(warnings).as(outcome.err()).hasSize(1);
-        Matcher advice = Pattern.compile("; '--out (.*)' would do$").matcher(warnings.get(0));
+        assertThat(warnings.get(0)).doesNotContain("write the scene into");
+        Matcher advice = Pattern.compile("cannot name it; use --out (.*)$").matcher(warnings.get(0));
         assertThat(advice.find()).as(warnings.get(0)).isTrue();
         return Path.of(advice.group(1));
     }

@@ -240,7 +240,8 @@ class PlaceCommandTest {
         "-5, must be 0 to 1e12",
         "1e400, must be 0 to 1e12",
         "2e12, must be 0 to 1e12",
-        "much, 'much' is not a number without a unit"
+        "much, must be a number without a unit",
+        "5 EUR, must be a number without a unit"
     })
     void namesTheBudgetThatIsNone(String budget, String message) {
         Outcome refused = place(file, "--budget=" + budget);

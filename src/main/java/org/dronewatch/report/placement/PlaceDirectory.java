@@ -19,9 +19,11 @@ import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.ResultKind;
+import org.dronewatch.report.provenance.SceneDirectories;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.PlainText;
 
 /** The directory into which {@code place} writes; its files appear together or not at all. */
 public final class PlaceDirectory implements AutoCloseable {
@@ -38,16 +40,29 @@ public final class PlaceDirectory implements AutoCloseable {
 
     private final Path target;
     private final OutputDirectory directory;
-    private String warned = "";
+    private final LayoutWarning warning;
 
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @throws InputException when it cannot be written, or holds the results of another command
+     * @param placement placement file
+     * @param plan its plan
+     * @throws InputException when it cannot be written, holds the results of another command, or holds an input of the
+     *     search that would be replaced
      */
-    public PlaceDirectory(Path target) {
+    public PlaceDirectory(Path target, Path placement, PlacePlan plan) {
         ResultKind.PLACE.checkAlone(target);
+        LayoutInputs inputs = LayoutInputs.of(placement, plan);
+        if (inputs.has(target.resolve(SCENE))) {
+            throw new InputException("output directory " + PlainText.value(target) + " holds an input of the search ("
+                    + SCENE + "), which would be replaced: choose another directory");
+        }
         this.target = target;
+        this.warning = new LayoutWarning(
+                plan,
+                target.resolve(SCENE),
+                new SceneDirectories(plan.scene().directory(), ResultKind.PLACE, FILES),
+                inputs);
         this.directory = new OutputDirectory(target);
     }
 
@@ -82,15 +97,23 @@ public final class PlaceDirectory implements AutoCloseable {
         JsonFile.write(
                 directory.file(ProvenanceFile.NAME),
                 ProvenanceFile.of(provenance, plan.scene().name(), threads));
-        Optional<SceneSettings> layout = Optional.empty();
         try {
-            layout = Optional.of(Layout.of(plan, results.best().chosen()));
-            String text = plan.runner().text(layout.get(), target.resolve(SCENE));
+            SceneSettings layout = Layout.of(plan, results.best().chosen());
+            writeScene(plan, layout, notes);
+            return Optional.of(layout);
+        } catch (InputException e) {
+            warning.give(e.getMessage(), notes);
+            return Optional.empty();
+        }
+    }
+
+    private void writeScene(PlacePlan plan, SceneSettings layout, Consumer<String> notes) throws IOException {
+        try {
+            String text = plan.runner().text(layout, target.resolve(SCENE));
             Files.write(directory.file(SCENE), text.getBytes(StandardCharsets.UTF_8));
         } catch (InputException e) {
-            warn(plan, layout, e, notes);
+            warning.give(layout, e, notes);
         }
-        return layout;
     }
 
     /**
@@ -98,26 +121,8 @@ public final class PlaceDirectory implements AutoCloseable {
      *
      * @param notes receives the line
      */
-    public void foresee(PlacePlan plan, Consumer<String> notes) {
-        SceneSettings site = SceneSettings.of(plan.present().world());
-        try {
-            plan.runner().text(site, target.resolve(SCENE));
-        } catch (InputException e) {
-            warn(plan, Optional.of(site), e, notes);
-        }
-    }
-
-    /** Says, but only once, why the scene is not written and which directory would do. */
-    private void warn(PlacePlan plan, Optional<SceneSettings> scene, InputException cause, Consumer<String> notes) {
-        String instead = scene.flatMap(its -> LayoutDirectories.nearest(plan, its, SCENE))
-                .map(directory -> "; '--out " + ShellWord.of(directory) + "' would do")
-                .orElse("");
-        String line = "warning: the layout is not written as a scene, so there is no " + SCENE + ": "
-                + cause.getMessage() + instead;
-        if (!line.equals(warned)) {
-            notes.accept(line);
-            warned = line;
-        }
+    public void foresee(Consumer<String> notes) {
+        warning.foresee(notes);
     }
 
     private void writeReport(PlaceResults results, Optional<SceneSettings> layout, Map<String, String> provenance)

@@ -3,6 +3,7 @@ package org.dronewatch.report.provenance;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
@@ -43,14 +44,26 @@ public enum ResultKind {
      * @throws InputException when it holds such results
      */
     public void checkAlone(Path target) {
+        other(target).ifPresent(found -> {
+            throw new InputException("output directory " + PlainText.value(target) + " holds the results of " + found
+                    + ", some of which would be replaced: choose another directory");
+        });
+    }
+
+    /** Whether a directory, which need not exist, holds no results of another kind. */
+    boolean isAlone(Path target) {
+        return other(target).isEmpty();
+    }
+
+    /** Which results of another kind a directory holds, in words. */
+    private Optional<String> other(Path target) {
         for (ResultKind other : values()) {
             for (String sign : other.signs) {
                 if (other != this && Files.isRegularFile(target.resolve(sign))) {
-                    throw new InputException(
-                            "output directory " + PlainText.value(target) + " holds the results of " + other.words
-                                    + " (" + sign + "), some of which would be replaced: choose another directory");
+                    return Optional.of(other.words + " (" + sign + ")");
                 }
             }
         }
+        return Optional.empty();
     }
 }

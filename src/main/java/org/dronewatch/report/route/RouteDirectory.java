@@ -18,6 +18,7 @@ import org.dronewatch.report.map.RouteMap;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.ResultKind;
+import org.dronewatch.report.provenance.SceneDirectories;
 import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
@@ -34,16 +35,19 @@ public final class RouteDirectory implements AutoCloseable {
             "route-(north|south)?-?(east|west)?\\.yaml|(routes|profile|time-to-go|view)\\.png|routes\\.(geojson|kml)|report\\.html");
 
     private final Path target;
+    private final SceneDirectories directories;
     private final OutputDirectory directory;
 
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
+     * @param scene directory of the scene
      * @throws InputException when it cannot be written, or holds the results of another command
      */
-    public RouteDirectory(Path target) {
+    public RouteDirectory(Path target, Path scene) {
         ResultKind.ROUTE.checkAlone(target);
         this.target = target;
+        this.directories = new SceneDirectories(scene, ResultKind.ROUTE, FILES);
         this.directory = new OutputDirectory(target);
     }
 
@@ -76,7 +80,7 @@ public final class RouteDirectory implements AutoCloseable {
             } else {
                 notes.accept("the scene has no world.origin: no GeoJSON or KML files are written");
             }
-            scenes.write(results.survey(), target, directory).ifPresent(notes);
+            scenes.write(results.survey(), target, directories, directory).ifPresent(notes);
             Map<String, Figure> figures = figures(results, inputs, scenes, stage, models);
             for (Map.Entry<String, Figure> figure : figures.entrySet()) {
                 Files.write(directory.file(figure.getKey()), figure.getValue().png());

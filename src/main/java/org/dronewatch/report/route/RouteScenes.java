@@ -10,18 +10,22 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import org.dronewatch.flight.RouteFlight;
 import org.dronewatch.report.file.OutputDirectory;
+import org.dronewatch.report.provenance.SceneDirectories;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.RouteScene;
 import org.dronewatch.route.proof.RouteStarts;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.OutsideFileException;
 
 /**
  * A scene file for each route, in which only the drone of the search flies, along the route and at the speeds of the
  * search, until it arrives.
  */
 public final class RouteScenes {
+    private static final String NONE = "warning: no scenes of the routes are written: ";
+
     private final RouteInputs inputs;
     private final BiFunction<SceneSettings, Path, String> text;
 
@@ -44,17 +48,21 @@ public final class RouteScenes {
     /**
      * Writes them, or none of them.
      *
+     * @param directories where they can be written if not into the target
      * @return why none are written, or which of several flights each has; empty if there is nothing to say
      */
-    Optional<String> write(RouteSurvey survey, Path target, OutputDirectory directory) throws IOException {
+    Optional<String> write(RouteSurvey survey, Path target, SceneDirectories directories, OutputDirectory directory)
+            throws IOException {
         Map<String, String> scenes = new LinkedHashMap<>();
         for (SectorRoute route : survey.routes()) {
             String name = name(route);
             try {
                 settings(route, survey)
                         .ifPresent(scene -> scenes.put(name, commented(text.apply(scene, target.resolve(name)))));
+            } catch (OutsideFileException e) {
+                return Optional.of(NONE + e.fact() + "; " + directories.advice(other -> takes(other, survey)));
             } catch (InputException e) {
-                return Optional.of("warning: no scenes of the routes are written: " + e.getMessage());
+                return Optional.of(NONE + e.getMessage());
             }
         }
         for (Map.Entry<String, String> scene : scenes.entrySet()) {
@@ -64,6 +72,18 @@ public final class RouteScenes {
                 ? Optional.empty()
                 : Optional.of("the scene of each route has the first of its " + flights()
                         + " flights; comments in it say how to fly another");
+    }
+
+    /** Whether the scenes of all routes can be written into a directory. */
+    private boolean takes(Path other, RouteSurvey survey) {
+        try {
+            for (SectorRoute route : survey.routes()) {
+                settings(route, survey).ifPresent(scene -> text.apply(scene, other.resolve(name(route))));
+            }
+            return true;
+        } catch (InputException e) {
+            return false;
+        }
     }
 
     /** The number of flights of each route. */

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.InputException;
+import org.dronewatch.setting.OutsideFileException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsForm;
 
@@ -91,10 +92,10 @@ final class RelocatedFiles {
         }
         Path file = resolved(name, path);
         if (!file.startsWith(to)) {
-            throw new InputException(
+            throw new OutsideFileException(
                     path + ": file '" + PlainText.value(file) + "' is neither in " + PlainText.value(to)
-                            + " nor below it, so a scene file there cannot name it: write the scene into "
-                            + PlainText.value(file.getParent()) + " or a directory above it");
+                            + " nor below it, so a scene file there cannot name it",
+                    "write the scene into " + PlainText.value(file.getParent()) + " or a directory above it");
         }
         boolean isSameName = from.equals(to) && !Path.of(name).isAbsolute();
         return isSameName ? name : to.relativize(file).toString().replace(File.separatorChar, '/');

@@ -270,7 +270,7 @@ class PlaceMomentsTest {
 
     /** All files can be read, and say whether anything is left out. */
     private void assertFiles(PlaceResults results, PlacePlan plan, String moment) throws IOException {
-        try (PlaceDirectory out = new PlaceDirectory(directory)) {
+        try (PlaceDirectory out = new PlaceDirectory(directory, directory.resolve("radars.place.yaml"), plan)) {
             Provenance provenance = new Provenance(
                     Instant.now(), List.of("place"), plan.runner().inputs());
             out.write(results, provenance, 1, note -> {});

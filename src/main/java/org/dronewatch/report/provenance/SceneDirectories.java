@@ -1,0 +1,63 @@
+package org.dronewatch.report.provenance;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.dronewatch.report.file.ShellWord;
+
+/**
+ * The directories in which a command can write its results and scenes: a scene names only files beside it or below it,
+ * and nothing but earlier results of the command may be replaced.
+ *
+ * @param scene directory of the command's own scene
+ * @param kind kind of the results
+ * @param names names of the files that such results have besides the one that marks them
+ */
+public record SceneDirectories(Path scene, ResultKind kind, Pattern names) {
+    /**
+     * What to do, as the end of a sentence, if a scene cannot be written where it was to be.
+     *
+     * @param takes whether the scene can be written into a directory
+     */
+    public String advice(Predicate<Path> takes) {
+        return nearest(takes)
+                .map(directory -> "use --out " + ShellWord.of(directory))
+                .orElse("put the scene and all files that it names into a directory of their own, and use that for"
+                        + " --out");
+    }
+
+    /**
+     * The nearest of them, from that of the command's own scene upwards; empty if there is none.
+     *
+     * @param takes whether the scene can be written into a directory
+     */
+    Optional<Path> nearest(Predicate<Path> takes) {
+        Path directory = scene.toAbsolutePath().normalize();
+        // The root of a file system holds no results.
+        while (directory.getParent() != null) {
+            if (Files.isWritable(directory) && kind.isAlone(directory) && isFree(directory) && takes.test(directory)) {
+                return Optional.of(directory);
+            }
+            directory = directory.getParent();
+        }
+        return Optional.empty();
+    }
+
+    /** Whether files with these names can only be earlier results of the command. */
+    private boolean isFree(Path directory) {
+        if (Files.isRegularFile(directory.resolve(kind.sign()))) {
+            return true;
+        }
+        try (Stream<Path> files = Files.list(directory)) {
+            return files.map(file -> String.valueOf(file.getFileName()))
+                    .noneMatch(name -> names.matcher(name).matches());
+        } catch (IOException e) {
+            // What cannot be listed may hold anything.
+            return false;
+        }
+    }
+}
