@@ -96,7 +96,8 @@ class PlaceTimeTest {
         assertThat(outcome.out()).contains("10 s after the time limit of 0.001 s, the command had not completed");
         assertThat(json.get("complete").asBoolean()).isFalse();
         assertThat(json.get("stopped").get("left_out")).map(JsonNode::asString).contains("attacks");
-        assertThat(outcome.out()).contains(" --runs " + flown + "' gives the same figures of the attacks");
+        assertThat(outcome.out())
+                .containsPattern("(?m)^This command gives the same figures of the attacks.* --runs " + flown + "$");
         assertThat(report)
                 .contains(String.format(Locale.ROOT, "The attacks are %,d runs of the scene", flown))
                 .doesNotContain("..</");

@@ -6,8 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.dronewatch.app.Program.Outcome;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -37,10 +35,7 @@ record PlacedLayout(Path directory, Outcome outcome) {
 
     /** Runs the command that it prints for the layout, word for word, with more options. */
     Outcome again(String command, String... more) {
-        Matcher printed =
-                Pattern.compile("'dronewatch (" + command + " .*?)' gives").matcher(outcome.out());
-        assertThat(printed.find()).as(outcome.out()).isTrue();
-        List<String> words = new ArrayList<>(List.of(printed.group(1).split(" ")));
+        List<String> words = new ArrayList<>(ShellWords.printed(outcome.out(), command));
         words.addAll(Arrays.asList(more));
         Outcome again = Program.run(words.toArray(String[]::new));
         assertThat(again.code()).as(again.err()).isZero();

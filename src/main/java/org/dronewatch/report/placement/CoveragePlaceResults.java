@@ -63,8 +63,8 @@ public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<La
     @Override
     public List<String> reproduction(String layout) {
         return fields.stream()
-                .map(its -> "'dronewatch coverage " + layout + " " + SameCoverage.options(best())
-                        + "' gives the figures of the layout.")
+                .map(its -> "This command gives the figures of the layout: dronewatch coverage " + layout + " "
+                        + SameCoverage.options(best()))
                 .toList();
     }
 

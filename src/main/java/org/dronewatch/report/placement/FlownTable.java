@@ -116,8 +116,9 @@ final class FlownTable {
      * @param scene the file of the layout, as a word of a command line
      */
     Optional<String> reproduction(String scene) {
-        return layout.map(flown -> "'dronewatch route " + scene + " " + SameRoute.options(best, flown.inputs())
-                + "' gives the figures of the layout" + asItIs() + ", and a scene for each route.");
+        return layout.map(flown -> "This command gives the figures of the layout" + asItIs()
+                + ", and a scene for each route: dronewatch route " + scene + " "
+                + SameRoute.options(best, flown.inputs()));
     }
 
     /**

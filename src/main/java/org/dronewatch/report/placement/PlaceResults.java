@@ -55,7 +55,8 @@ public interface PlaceResults {
     List<String> lines();
 
     /**
-     * The commands that reproduce these figures, in sentences.
+     * The commands that reproduce these figures: each is the end of a sentence without a full stop, so that it can be
+     * copied up to the end of the line.
      *
      * @param layout the file in which the layout has been written as a scene, as a word of a command line
      */

@@ -78,8 +78,8 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
     @Override
     public List<String> reproduction(String layout) {
         return warnings.stream()
-                .map(its -> "'dronewatch coverage " + layout + " " + SameCoverage.options(best())
-                        + "' gives these warnings of the layout.")
+                .map(its -> "This command gives these warnings of the layout: dronewatch coverage " + layout + " "
+                        + SameCoverage.options(best()))
                 .toList();
     }
 
