@@ -59,6 +59,26 @@ public final class DetectionIntervals {
     }
 
     /**
+     * For how long a sensor detects a drone in all, s.
+     *
+     * @param end the time until which this counts, seconds since the start of the run
+     */
+    public double detectedFor(String sensor, String drone, double end) {
+        double all = 0.0;
+        double from = end;
+        for (DetectionEvent event : ofPairs.getOrDefault(List.of(sensor, drone), List.of())) {
+            double time = Math.min(end, event.observation().arrival());
+            if (event.gained()) {
+                from = time;
+            } else {
+                all += time - from;
+                from = end;
+            }
+        }
+        return all + end - from;
+    }
+
+    /**
      * The intervals during which a sensor detects at least one drone.
      *
      * @param end the end of an interval in which a drone is still detected, seconds since the start of the run

@@ -175,6 +175,14 @@ public final class Assessor {
     }
 
     /**
+     * The signal of a drone if nothing but air were in between; see {@link InterpolableSensor#signalInTheOpen}. Empty
+     * for sensors of other kinds.
+     */
+    public Optional<Signal> signalInTheOpen(Drone drone) {
+        return interpolable().flatMap(smooth -> smooth.signalInTheOpen(world, drone));
+    }
+
+    /**
      * Whether the assessment is certain to be the same at every heading in this assessor's world; see
      * {@link AssessableSensor#isSameAtAllHeadings}. False for sensors of other kinds.
      */

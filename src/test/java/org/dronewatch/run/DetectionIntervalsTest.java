@@ -47,6 +47,14 @@ class DetectionIntervalsTest {
     }
 
     @Test
+    void theTimeForWhichADroneIsDetectedEndsWithTheRun() {
+        assertThat(INTERVALS.detectedFor("ear", "one", 8)).isEqualTo(4.0);
+        assertThat(INTERVALS.detectedFor("ear", "one", 2.5)).isEqualTo(1.5);
+        assertThat(INTERVALS.detectedFor("eye", "two", 8)).isEqualTo(0.5);
+        assertThat(INTERVALS.detectedFor("eye", "one", 8)).isZero();
+    }
+
+    @Test
     void aDroneIsDetectedFromItsGainUntilJustBeforeItsLoss() {
         assertThat(INTERVALS.isDetected("ear", "one", 0.999)).isFalse();
         assertThat(INTERVALS.isDetected("ear", "one", 1)).isTrue();

@@ -4,14 +4,16 @@ import static org.dronewatch.report.html.ReadableNumbers.format;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiPredicate;
+import java.util.stream.Collectors;
 import org.dronewatch.report.html.Html;
 import org.dronewatch.report.html.ReadableNumbers;
 import org.dronewatch.run.DetectionIntervals;
-import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
@@ -24,11 +26,17 @@ final class Misses {
     /** In a larger swarm, reasons are determined for this number of drones, evenly spaced in the list. */
     private static final int MAX_MEMBERS = 20;
 
+    /** A sensor that misses a drone for less than this fraction of the run detects it throughout. */
+    private static final double LEAST_MISSED = 0.01;
+
     private final RunResult run;
     private final RunLooks looks;
     private final Reasons reasons;
     private final List<DroneGroup> groups;
     private final DetectionIntervals intervals;
+
+    /** By whether a sensor detects a drone at some time, the pairs of sensor and drone. */
+    private final Map<Boolean, Set<List<String>>> pairs;
 
     Misses(RunResult run, RunLooks looks, Reasons reasons) {
         this.run = run;
@@ -36,84 +44,85 @@ final class Misses {
         this.reasons = reasons;
         this.groups = DroneGroup.of(run.settings());
         this.intervals = DetectionIntervals.of(run.events());
+        this.pairs = run.pairs().stream()
+                .collect(Collectors.partitioningBy(
+                        pair -> pair.firstDetected().isPresent(),
+                        Collectors.mapping(pair -> List.of(pair.sensor(), pair.drone()), Collectors.toSet())));
     }
 
     String tables() {
-        String never = never();
-        String partly = partly();
-        if (never.isEmpty() && partly.isEmpty()) {
-            return Html.plain("p", "None: every sensor detects every drone for at least 99 % of the time.") + lost();
+        if (run.pairs().isEmpty()) {
+            return Html.plain("p", "No sensor looks for a drone.");
         }
-        String words = never.isEmpty()
-                ? "Every sensor detects every drone at some time. The table states for how much of the run it does not,"
-                        + " and why."
-                : "Where a sensor detects a drone at some time, this table states for how much of the run it does not,"
-                        + " and why.";
-        return never + (partly.isEmpty() ? "" : Html.plain("p", words) + partly) + lost();
+        String never = table(
+                List.of("sensor", "kind", "drone", "reason"),
+                (sensor, drone) -> pairs.get(false).contains(List.of(sensor, drone)),
+                (sensor, group, members) -> row(sensor, group, members, why(sensor, members)));
+        String partly = table(
+                List.of("sensor", "kind", "drone", "time without detection", "reason"), this::isPartly, this::partlyRow);
+        String lost = table(
+                List.of("sensor", "kind", "drone", "lost at [s]", "range at loss [m]", "reason after loss"),
+                (sensor, drone) -> intervals.lostForGood(sensor, drone).isPresent(),
+                this::lostRow);
+        if (never.isEmpty() && partly.isEmpty()) {
+            String throughout = "very sensor detects every drone for at least 99 % of the time";
+            return lost.isEmpty()
+                    ? Html.plain("p", "None: e" + throughout + ".")
+                    : Html.plain("p", "E" + throughout + ", but some lose a drone and do not detect it again.") + lost;
+        }
+        String which = never.isEmpty()
+                ? "Every sensor detects every drone at some time."
+                : "Some sensors detect a drone, but not all the time.";
+        String introduction = Html.plain(
+                "p",
+                which + " The table below states for what part of the run a sensor does not detect a drone, and why.");
+        return never + (partly.isEmpty() ? "" : introduction + partly) + lost;
     }
 
-    private String never() {
+    /** Makes the row of a sensor with some drones of a group. */
+    @FunctionalInterface
+    private interface Row {
+        List<String> of(String sensor, DroneGroup group, List<String> members);
+    }
+
+    /** A row for each sensor and group with the pairs that a table is about; empty without such pairs. */
+    private String table(List<String> head, BiPredicate<String, String> isShown, Row row) {
         List<List<String>> rows = new ArrayList<>();
         int left = 0;
-        for (Map.Entry<String, List<String>> sensor : drones(false).entrySet()) {
+        for (String sensor : run.settings().enabledSensors().keySet()) {
             for (DroneGroup group : groups) {
-                List<String> members = members(group, sensor.getValue());
+                List<String> members = group.members().stream()
+                        .filter(drone -> isShown.test(sensor, drone))
+                        .toList();
                 if (members.isEmpty()) {
                     continue;
                 }
                 if (rows.size() < DetectionTables.MAX_ROWS) {
-                    rows.add(row(sensor.getKey(), group, members, why(sensor.getKey(), members)));
+                    rows.add(row.of(sensor, group, members));
                 } else {
                     left++;
                 }
             }
         }
-        return rows.isEmpty()
-                ? ""
-                : Html.table(List.of("sensor", "kind", "drone", "reason"), rows) + DetectionTables.notShown(left);
+        return rows.isEmpty() ? "" : Html.table(head, rows) + DetectionTables.notShown(left);
     }
 
-    /** Sensors that detect a drone at some time, but not all the time. */
-    private String partly() {
-        List<List<String>> rows = new ArrayList<>();
-        int left = 0;
-        for (Map.Entry<String, List<String>> sensor : drones(true).entrySet()) {
-            for (DroneGroup group : groups) {
-                List<String> members = members(group, sensor.getValue());
-                if (members.isEmpty()) {
-                    continue;
-                }
-                if (rows.size() == DetectionTables.MAX_ROWS) {
-                    left++;
-                    continue;
-                }
-                reasons.whileUndetected(sensor.getKey(), some(members), intervals)
-                        .ifPresent(missed -> {
-                            List<String> row = new ArrayList<>(row(sensor.getKey(), group, members, missed.reason()));
-                            row.add(3, missed.part());
-                            rows.add(row);
-                        });
-            }
-        }
-        return rows.isEmpty()
-                ? ""
-                : Html.table(List.of("sensor", "kind", "drone", "time without detection", "reason"), rows)
-                        + DetectionTables.notShown(left);
+    /** Whether a sensor detects a drone at some time, but not all the time. */
+    private boolean isPartly(String sensor, String drone) {
+        return pairs.get(true).contains(List.of(sensor, drone))
+                && reasons.missedPart(sensor, drone, intervals) >= LEAST_MISSED;
     }
 
-    /** By sensor, the drones that it detects at some time, or those that it never does. */
-    private Map<String, List<String>> drones(boolean isDetected) {
-        Map<String, List<String>> drones = new LinkedHashMap<>();
-        for (PairResult pair : run.pairs()) {
-            if (pair.firstDetected().isPresent() == isDetected) {
-                drones.computeIfAbsent(pair.sensor(), name -> new ArrayList<>()).add(pair.drone());
-            }
-        }
-        return drones;
-    }
-
-    private static List<String> members(DroneGroup group, List<String> drones) {
-        return group.members().stream().filter(drones::contains).toList();
+    private List<String> partlyRow(String sensor, DroneGroup group, List<String> members) {
+        DoubleSummaryStatistics parts = members.stream()
+                .mapToDouble(drone -> reasons.missedPart(sensor, drone, intervals))
+                .summaryStatistics();
+        String least = Reasons.percentOfSome(parts.getMin());
+        String most = Reasons.percentOfSome(parts.getMax());
+        String why = reasons.whileUndetected(sensor, some(members), intervals, looks);
+        List<String> row = new ArrayList<>(row(sensor, group, members, why));
+        row.add(3, least.equals(most) ? most : least + " to " + most);
+        return row;
     }
 
     private String why(String sensor, List<String> members) {
@@ -123,41 +132,11 @@ final class Misses {
         return reasons.of(sensor, some(members), best);
     }
 
-    /** Sensors that lost a drone for the rest of the run. */
-    private String lost() {
-        List<List<String>> rows = new ArrayList<>();
-        int left = 0;
-        for (String sensor : run.settings().enabledSensors().keySet()) {
-            for (DroneGroup group : groups) {
-                List<Observation> of = group.members().stream()
-                        .flatMap(drone -> intervals.lostForGood(sensor, drone).stream())
-                        .toList();
-                if (of.isEmpty()) {
-                    continue;
-                }
-                if (rows.size() < DetectionTables.MAX_ROWS) {
-                    rows.add(lostRow(sensor, group, of));
-                } else {
-                    left++;
-                }
-            }
-        }
-        return rows.isEmpty()
-                ? ""
-                : Html.table(
-                                List.of(
-                                        "sensor",
-                                        "kind",
-                                        "drone",
-                                        "lost at [s]",
-                                        "range at loss [m]",
-                                        "reason after loss"),
-                                rows)
-                        + DetectionTables.notShown(left);
-    }
-
-    private List<String> lostRow(String sensor, DroneGroup group, List<Observation> lost) {
-        List<String> members = lost.stream().map(Observation::drone).toList();
+    /** A sensor that lost drones for the rest of the run. */
+    private List<String> lostRow(String sensor, DroneGroup group, List<String> members) {
+        List<Observation> lost = members.stream()
+                .map(drone -> intervals.lostForGood(sensor, drone).orElseThrow())
+                .toList();
         double last = lost.stream().mapToDouble(Observation::arrival).max().orElseThrow();
         List<String> row = new ArrayList<>(row(sensor, group, members, reasons.afterLoss(sensor, some(members), last)));
         row.add(3, ReadableNumbers.range(lost.stream().mapToDouble(Observation::arrival)));

@@ -20,7 +20,7 @@ import org.dronewatch.run.Sightline;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.Assessor;
-import org.dronewatch.sensor.Explanation;
+import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
@@ -31,10 +31,7 @@ final class Reasons {
     /** Number of instants of a run that are examined, besides its start. */
     static final int MOMENTS = 400;
 
-    /** A sensor that misses a drone for less than this fraction of the run detects it throughout. */
-    private static final double LEAST_MISSED = 0.01;
-
-    /** Percentages of at least this are rounded to 100, which represents the whole time. */
+    /** Percentages of at least this would be printed as 100 %, which is kept for the whole time. */
     private static final double MOST_ROUNDED = 99.5;
 
     private final SceneSettings settings;
@@ -43,6 +40,7 @@ final class Reasons {
     private final LineOfSight sight;
     private final Map<String, Assessor> assessors = new HashMap<>();
     private final List<Map<String, Drone>> moments = new ArrayList<>();
+    private final double simulated;
     private final double step;
 
     /**
@@ -55,6 +53,7 @@ final class Reasons {
         this.stage = stage;
         this.pointings = pointings;
         this.sight = new LineOfSight(stage);
+        this.simulated = simulated;
         this.step = simulated / MOMENTS;
         for (int i = 0; i <= MOMENTS; i++) {
             Map<String, Drone> drones = new HashMap<>();
@@ -71,53 +70,70 @@ final class Reasons {
      */
     String of(String sensor, List<String> drones, Optional<BestLook> best) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
-        Fractions fractions = fractions(sensor, drones, weakness(missing, best), 0.0, (drone, time) -> true);
-        boolean measured =
-                fractions.weak() > 0 && best.filter(Reasons::isReading).isPresent();
+        String weak = weakness(missing, best);
+        Fractions fractions = fractions(sensor, drones, 0.0, (drone, time) -> true, always(weak));
+        int tooWeak = fractions.counts().getOrDefault(weak, 0);
+        boolean measured = tooWeak > 0 && best.filter(Reasons::isReading).isPresent();
         String distance = measured ? "" : format("; the closest approach was %.0f m", fractions.nearest());
-        boolean quiet = !Sightline.hasFieldOfView(missing) && fractions.weak() > 0 && fractions.gliding() > 0;
-        return fractions.inWords("always %s")
+        boolean quiet = !Sightline.hasFieldOfView(missing) && tooWeak > 0 && fractions.gliding() > 0;
+        return fractions.inWords("always %s", 1.0)
                 + distance
-                + (quiet ? "; motors off " + percent(fractions.gliding(), fractions.all()) + " of the time" : "");
+                + (quiet ? "; motors off " + percent((double) fractions.gliding() / fractions.missed()) + " of the time" : "");
     }
 
     /** Why a sensor does not detect some drones again that it has lost, in words. */
     String afterLoss(String sensor, List<String> drones, double time) {
-        return fractions(
-                        sensor,
-                        drones,
-                        settings.sensors().get(sensor).description().weakness(),
-                        time,
-                        (drone, later) -> true)
-                .inWords("%s from then on");
+        String weak = settings.sensors().get(sensor).description().weakness();
+        return fractions(sensor, drones, time, (drone, later) -> true, always(weak))
+                .inWords("%s from then on", 1.0);
     }
 
     /**
-     * For how much of the run a sensor does not detect some drones that it detects at some time, and why; empty if that
-     * is less than one percent.
+     * Why a sensor does not detect some drones while it does not, although it detects them at other times, in words;
+     * several reasons with the part of the run for which each holds.
      *
      * @param detected when the sensor detects which drone
+     * @param looks of the run
      */
-    Optional<Undetected> whileUndetected(String sensor, List<String> drones, DetectionIntervals detected) {
+    String whileUndetected(String sensor, List<String> drones, DetectionIntervals detected, RunLooks looks) {
+        SensorSettings<?> missing = settings.sensors().get(sensor);
+        double part = drones.stream()
+                .mapToDouble(drone -> missedPart(sensor, drone, detected))
+                .average()
+                .orElseThrow();
         Fractions fractions = fractions(
                 sensor,
                 drones,
-                settings.sensors().get(sensor).description().weakness(),
                 0.0,
-                (drone, time) -> !detected.isDetected(sensor, drone, time));
-        int missed = fractions.missed();
-        return missed < LEAST_MISSED * fractions.all()
-                ? Optional.empty()
-                : Optional.of(new Undetected(percent(missed, fractions.all()), fractions.inWords("%s")));
+                (drone, time) -> !detected.isDetected(sensor, drone, time),
+                (assessor, drone, pointing, time) -> MomentReason.ofGap(
+                        assessor,
+                        missing,
+                        drone,
+                        pointing,
+                        Look.of(settings.run().seed(), sensor, 0, time),
+                        looks.hasLooked(sensor, drone.id(), time)));
+        return fractions.missed() == 0 ? "in intervals too short to examine" : fractions.inWords("%s", part);
     }
 
     /**
-     * The part of a run in which a sensor does not detect a drone.
+     * The fraction of the run for which a sensor does not detect a drone, 0 to 1.
      *
-     * @param part its length, {@code 78 %}
-     * @param reason why it does not; several reasons with the part of the whole run for which each holds
+     * @param detected when the sensor detects which drone
      */
-    record Undetected(String part, String reason) {}
+    double missedPart(String sensor, String drone, DetectionIntervals detected) {
+        return simulated > 0.0 ? 1.0 - detected.detectedFor(sensor, drone, simulated) / simulated : 0.0;
+    }
+
+    /** Explains why a sensor misses a drone at a time, s since the start. */
+    @FunctionalInterface
+    private interface Explainer {
+        MomentReason at(Assessor assessor, Drone drone, Optional<Pointing> pointing, double time);
+    }
+
+    private static Explainer always(String weak) {
+        return (assessor, drone, pointing, time) -> MomentReason.ofMiss(assessor, drone, pointing, weak);
+    }
 
     /** Selects times at which a drone is missed, s since the start. */
     @FunctionalInterface
@@ -125,42 +141,41 @@ final class Reasons {
         boolean at(String drone, double time);
     }
 
-    /**
-     * The number of instants of a run at which each reason held.
-     *
-     * @param all the number of instants, those at which the drone was detected included
-     */
-    private record Fractions(Map<String, Integer> counts, int all, int weak, double nearest, int gliding) {
+    /** The number of instants of a run at which each reason held, and at how many of them motors were off. */
+    private record Fractions(Map<String, Integer> counts, double nearest, int gliding) {
         int missed() {
             return counts.values().stream().mapToInt(Integer::intValue).sum();
         }
 
-        /** The reasons in words; a single one by a pattern that says when it held. */
-        String inWords(String throughout) {
+        /**
+         * The reasons in words; a single one by a pattern that says when it held.
+         *
+         * @param part the fraction of the time for which any of them held, 0 to 1
+         */
+        String inWords(String throughout, double part) {
             List<Map.Entry<String, Integer>> sorted = new ArrayList<>(counts.entrySet());
             sorted.sort(Map.Entry.comparingByValue(Comparator.reverseOrder()));
             if (sorted.size() == 1) {
                 return format(throughout, sorted.get(0).getKey());
             }
+            int missed = missed();
             return sorted.stream()
-                    .map(one -> percent(one.getValue(), all) + " of the time: " + one.getKey())
+                    .map(one -> percentOfSome(part * one.getValue() / missed) + " of the time: " + one.getKey())
                     .collect(Collectors.joining("; "));
         }
     }
 
-    private Fractions fractions(String sensor, List<String> drones, String weak, double from, Missed missed) {
+    private Fractions fractions(String sensor, List<String> drones, double from, Missed missed, Explainer explainer) {
         SensorSettings<?> missing = settings.sensors().get(sensor);
         Assessor assessor = assessors.computeIfAbsent(sensor, id -> new Assessor(id, missing, stage.world()));
         Map<String, Integer> counts = new LinkedHashMap<>();
         Map<String, Evidence> evidence = new HashMap<>();
         double nearest = Double.POSITIVE_INFINITY;
         int gliding = 0;
-        int all = 0;
         int first = (int) Math.min(MOMENTS, Math.ceil(from / step));
         for (int i = first; i <= MOMENTS; i++) {
             Optional<Pointing> pointing = pointings.at(sensor, i * step);
             for (String drone : drones) {
-                all++;
                 if (!missed.at(drone, i * step)) {
                     continue;
                 }
@@ -168,17 +183,16 @@ final class Reasons {
                 Position position = flying.origin();
                 nearest = Math.min(nearest, position.distance(missing.position()));
                 gliding += flying.isPowered() ? 0 : 1;
-                Explanation explanation = assessor.explainMiss(flying, pointing);
-                String reason = CauseWords.of(explanation, flying, weak);
-                Evidence shown = evidence.computeIfAbsent(reason, one -> new Evidence());
-                shown.add(explanation);
-                if (explanation.cause().isHidden()) {
+                MomentReason reason = explainer.at(assessor, flying, pointing, i * step);
+                Evidence shown = evidence.computeIfAbsent(reason.words(), one -> new Evidence());
+                shown.add(reason.explanation());
+                if (reason.explanation().cause().isHidden()) {
                     building(missing.position(), position).ifPresent(shown::addBuilding);
                 }
-                counts.merge(reason, 1, Integer::sum);
+                counts.merge(reason.words(), 1, Integer::sum);
             }
         }
-        return new Fractions(explained(counts, evidence), all, counts.getOrDefault(weak, 0), nearest, gliding);
+        return new Fractions(explained(counts, evidence), nearest, gliding);
     }
 
     /** The name of the building of the map that blocks a line of sight first; empty if none does. */
@@ -216,9 +230,14 @@ final class Reasons {
                         ReadableNumbers.measured(look.threshold(), look.unit()));
     }
 
-    private static String percent(int count, int of) {
-        double percent = 100.0 * count / of;
-        if (count < of && percent >= MOST_ROUNDED) {
+    private static String percent(double part) {
+        return part == 1.0 ? "100 %" : percentOfSome(part);
+    }
+
+    /** A part of the time that is not the whole time, however close to it, in percent. */
+    static String percentOfSome(double part) {
+        double percent = 100.0 * part;
+        if (percent >= MOST_ROUNDED) {
             return "more than 99 %";
         }
         return percent < 1.0 ? "less than 1 %" : format("%.0f %%", percent);

@@ -21,6 +21,7 @@ public final class RunLooks {
     private static final int INTERVALS = 10 * Reasons.MOMENTS;
 
     private final Map<List<String>, BestLook> best = new HashMap<>();
+    private final Map<List<String>, Double> first = new HashMap<>();
     private final Map<List<String>, long[]> counts = new HashMap<>();
     private final Pointings pointings;
     private final Stage stage;
@@ -42,6 +43,7 @@ public final class RunLooks {
             List<String> pair = List.of(o.sensor(), o.drone());
             BestLook look = new BestLook(o.arrival(), o.range(), o.value(), o.threshold(), o.unit());
             best.merge(pair, look, (old, now) -> now.margin() > old.margin() ? now : old);
+            first.merge(pair, o.arrival(), Math::min);
             long[] count = counts.computeIfAbsent(pair, key -> new long[2]);
             count[0]++;
             count[1] += o.isDetected() ? 1 : 0;
@@ -61,6 +63,11 @@ public final class RunLooks {
     /** The best look of a sensor at a drone. */
     Optional<BestLook> best(String sensor, String drone) {
         return Optional.ofNullable(best.get(List.of(sensor, drone)));
+    }
+
+    /** Whether a sensor has looked at a drone by a time, s since the start of the run; sound counts from its arrival. */
+    boolean hasLooked(String sensor, String drone, double time) {
+        return first.getOrDefault(List.of(sensor, drone), Double.POSITIVE_INFINITY) <= time;
     }
 
     /** Fraction of a sensor's looks that detected a drone, 0 to 1. */
