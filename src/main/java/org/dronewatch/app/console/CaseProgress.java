@@ -1,8 +1,12 @@
 package org.dronewatch.app.console;
 
 import java.io.PrintWriter;
+import java.time.Duration;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.setting.Counted;
@@ -26,21 +30,24 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     private int first;
     private long firstEnd;
 
+    // The thread that draws the bar must not wait for one that closes it, and takes no lock.
+    private volatile Optional<Long> end = Optional.empty();
+
     /**
      * Nothing is done yet.
      *
      * @param all number of cases, those of earlier runs included
-     * @param bar null for lines
+     * @param bar makes the bar, which asks for the time that is left; null for lines
      * @param statesEnd whether a line also states how many cases are done at the end
      * @param clock gives the time, ns
      */
-    CaseProgress(int all, PrintWriter err, ProgressBar bar, boolean statesEnd, LongSupplier clock) {
+    CaseProgress(int all, PrintWriter err, Function<Supplier<Optional<Duration>>, ProgressBar> bar, boolean statesEnd, LongSupplier clock) {
         this.all = all;
         this.err = err;
-        this.bar = bar;
         this.statesEnd = statesEnd;
         this.clock = clock;
         this.start = clock.getAsLong();
+        this.bar = bar.apply(this::left);
     }
 
     /** Counts cases that took no time, which the rate does not include. */
@@ -62,6 +69,10 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
 
     private void show() {
         int done = kept + ran;
+        double rate = rate();
+        end = rate > 0.0
+                ? Optional.of(clock.getAsLong() + Math.round((all - done) / rate / NANO))
+                : Optional.empty();
         if (bar != null) {
             bar.stepTo(done);
             return;
@@ -69,7 +80,7 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
         double seconds = seconds();
         if (seconds >= next && ran > 0 && done < all) {
             next = seconds + EVERY_SECONDS;
-            err.printf(Locale.ROOT, "%,d of %,d cases%s%n", done, all, rate(all - done));
+            err.printf(Locale.ROOT, "%,d of %,d cases%s%n", done, all, inWords(rate, all - done));
         }
     }
 
@@ -77,14 +88,22 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
         return NANO * (clock.getAsLong() - start);
     }
 
-    /** How fast it is, and how long the cases that are left take; empty after the first ones. */
-    private String rate(int left) {
+    /** The cases per second after the first ones; 0 if it is not known yet. */
+    private double rate() {
         double seconds = NANO * (clock.getAsLong() - firstEnd);
-        if (ran == first || !(seconds > 0.0)) {
-            return "";
-        }
-        double rate = (ran - first) / seconds;
-        return String.format(Locale.ROOT, ", %.3g per second, %s left", rate, ProgressLines.duration(left / rate));
+        return ran > first && seconds > 0.0 ? (ran - first) / seconds : 0.0;
+    }
+
+    /** How fast it is, and how long the cases that are left take; empty if that is not known yet. */
+    private static String inWords(double rate, int left) {
+        return rate > 0.0
+                ? String.format(Locale.ROOT, ", %.3g per second, %s left", rate, ProgressLines.duration(left / rate))
+                : "";
+    }
+
+    /** For a bar: the time that is left by the last estimate; empty if it is not known, or over. */
+    private Optional<Duration> left() {
+        return end.map(time -> Duration.ofNanos(time - clock.getAsLong())).filter(left -> left.toNanos() > 0);
     }
 
     @Override

@@ -1,8 +1,12 @@
 package org.dronewatch.app.console;
 
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.Function;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
+import me.tongfei.progressbar.ProgressState;
 import org.dronewatch.run.Frame;
 import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.SceneListener;
@@ -38,17 +42,26 @@ public final class Progress implements SceneListener, AutoCloseable {
 
     /** A bar for a number of steps; none without a terminal. */
     public static ProgressBar barOf(String task, long steps) {
-        if (System.console() == null) {
-            return null;
-        }
         TimeLeft left = new TimeLeft(steps);
+        return barOf(task, steps, bar -> left.after(bar.getCurrent(), bar.getElapsedAfterStart()));
+    }
+
+    /**
+     * The same with an estimate of its own.
+     *
+     * @param left the time that is left; any thread calls it
+     */
+    static ProgressBar barOf(String task, long steps, Function<ProgressState, Optional<Duration>> left) {
+        return System.console() == null ? null : builder(task, steps, left).build();
+    }
+
+    static ProgressBarBuilder builder(String task, long steps, Function<ProgressState, Optional<Duration>> left) {
         return new ProgressBarBuilder()
                 .setTaskName(PlainText.value(task))
                 .setInitialMax(steps)
                 .setStyle(ProgressBarStyle.ASCII)
                 .setUpdateIntervalMillis(200)
-                .setEtaFunction(bar -> left.after(bar.getCurrent(), bar.getElapsedAfterStart()))
-                .build();
+                .setEtaFunction(left::apply);
     }
 
     @Override

@@ -98,6 +98,11 @@ public record TaskProgress(Amount amount, PrintWriter err) {
      */
     public CaseProgress cases(String name, int all) {
         PrintWriter target = isQuiet() ? new PrintWriter(Writer.nullWriter()) : err;
-        return new CaseProgress(all, target, bar(name, all), amount == Amount.EVERYWHERE, System::nanoTime);
+        return new CaseProgress(
+                all,
+                target,
+                left -> isQuiet() ? null : Progress.barOf(name, all, bar -> left.get()),
+                amount == Amount.EVERYWHERE,
+                System::nanoTime);
     }
 }

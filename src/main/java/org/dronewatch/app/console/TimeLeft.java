@@ -8,8 +8,9 @@ import java.util.OptionalDouble;
 
 /**
  * Estimates how long a task still takes. The first steps say little: they include preparations, and steps of one kind,
- * such as those of one sensor, follow one another. So nothing is estimated before a good part of the work is done, and
- * then from the speed in the second half of the time so far. For one thread at a time.
+ * such as those of one sensor, follow one another. So nothing is estimated before a quarter of the work is done or, after two minutes, a twentieth, and
+ * then from the speed in the second half of the time so far. If no step ended in it, the last estimate still holds. For
+ * one thread at a time.
  */
 final class TimeLeft {
     /** The fraction of the steps that has to be done. */
@@ -32,6 +33,9 @@ final class TimeLeft {
     private Moment from = new Moment(0.0, 0);
 
     private final Deque<Moment> later = new ArrayDeque<>();
+
+    /** When the task would end by the last estimate, s; not a number before the first one. */
+    private double end = Double.NaN;
 
     private record Moment(double seconds, long done) {}
 
@@ -59,9 +63,13 @@ final class TimeLeft {
             from = later.removeFirst();
         }
         double least = seconds < LONG_SECONDS ? LEAST_DONE : LEAST_DONE_OF_LONG;
-        return done < least * steps || done >= steps || done <= from.done()
-                ? OptionalDouble.empty()
-                : OptionalDouble.of((seconds - from.seconds()) * (steps - done) / (done - from.done()));
+        if (done < least * steps || done >= steps) {
+            return OptionalDouble.empty();
+        }
+        if (done > from.done()) {
+            end = seconds + (seconds - from.seconds()) * (steps - done) / (done - from.done());
+        }
+        return end > seconds ? OptionalDouble.of(end - seconds) : OptionalDouble.empty();
     }
 
     /** The same for a bar. */

@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
 /** What a campaign says of its progress where it cannot draw a bar. */
@@ -14,7 +19,7 @@ class CaseProgressTest {
     private long now = 5 * SECOND;
 
     private CaseProgress progress(int all) {
-        return new CaseProgress(all, new PrintWriter(said, true), null, false, () -> now);
+        return new CaseProgress(all, new PrintWriter(said, true), left -> null, false, () -> now);
     }
 
     @Test
@@ -41,6 +46,33 @@ class CaseProgressTest {
         progress.ran(60);
 
         assertThat(said.toString().strip()).isEqualTo("8,100 of 9,000 cases, 5.00 per second, 3 min left");
+    }
+
+    /** Most of a campaign is kept at once, which says nothing about the rest. */
+    @Test
+    void aBarStatesTheTimeThatCasesTakeWhichAreNotKept() {
+        List<Supplier<Optional<Duration>>> bar = new ArrayList<>();
+        CaseProgress progress = new CaseProgress(
+                9_000,
+                new PrintWriter(said, true),
+                left -> {
+                    bar.add(left);
+                    return null;
+                },
+                false,
+                () -> now);
+        progress.kept(8_000);
+        now += 2 * SECOND;
+        assertThat(bar.get(0).get()).isEmpty();
+        progress.ran(40);
+        now += 12 * SECOND;
+        progress.ran(60);
+
+        assertThat(bar.get(0).get()).contains(Duration.ofSeconds(180));
+        now += 30 * SECOND;
+        assertThat(bar.get(0).get()).contains(Duration.ofSeconds(150));
+        now += 150 * SECOND;
+        assertThat(bar.get(0).get()).isEmpty();
     }
 
     /** Nine seconds for the site, one for each of the cases. */

@@ -5,6 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import me.tongfei.progressbar.DelegatingProgressBarConsumer;
+import me.tongfei.progressbar.ProgressBar;
 import org.junit.jupiter.api.Test;
 
 /** How far a task is, in lines. */
@@ -90,7 +95,34 @@ class ProgressLinesTest {
     }
 
     @Test
-    void aBarStatesTheSameTimeLeft() {
+    void aBarStatesTheTimeThatItIsGiven() {
+        List<String> drawn = new ArrayList<>();
+        try (ProgressBar bar = Progress.builder("field", 100, state -> Optional.of(Duration.ofSeconds(5_025)))
+                .setConsumer(new DelegatingProgressBarConsumer(drawn::add, 120))
+                .build()) {
+            bar.stepTo(40);
+        }
+
+        assertThat(drawn).anyMatch(line -> line.contains("1:23:45"));
+    }
+
+    /** Of four long steps, none ends in the second half of the time. */
+    @Test
+    void theLastEstimateHoldsUntilTheNextStepEnds() {
+        TimeLeft left = new TimeLeft(4);
+        for (int second = 1; second < 10; second++) {
+            left.after(0, second);
+        }
+
+        assertThat(left.after(1, 15.0)).hasValue(24.0);
+        assertThat(left.after(1, 25.0)).hasValue(48.0);
+        assertThat(left.after(1, 31.0)).hasValue(42.0);
+        assertThat(left.after(1, 80.0)).isEmpty();
+        assertThat(left.after(2, 85.0)).hasValue(108.0);
+    }
+
+    @Test
+    void theTimeLeftIsThatOfTheSecondHalf() {
         TimeLeft left = new TimeLeft(100);
 
         assertThat(left.after(20, Duration.ofSeconds(10))).isEmpty();
