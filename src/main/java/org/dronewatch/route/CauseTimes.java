@@ -25,6 +25,14 @@ public record CauseTimes(Map<Cause, Double> seconds) {
                 .map(Map.Entry::getKey);
     }
 
+    /** The fraction of the flight for which the drone is not detected, 0 to 1. */
+    public double missed() {
+        return seconds.keySet().stream()
+                .filter(cause -> cause != Cause.DETECTED)
+                .mapToDouble(this::share)
+                .sum();
+    }
+
     /** The fraction of the flight for which a cause applies, 0 to 1. */
     public double share(Cause cause) {
         double all = seconds.values().stream().mapToDouble(Double::doubleValue).sum();

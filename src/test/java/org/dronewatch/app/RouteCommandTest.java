@@ -101,6 +101,8 @@ class RouteCommandTest {
                         "upper",
                         "p_detect",
                         "by_sensor",
+                        "causes_s",
+                        "causes_by_sensor_s",
                         "p_in_time",
                         "critical_s",
                         "p_i",
@@ -118,9 +120,20 @@ class RouteCommandTest {
             assertThat(route.get("p_detect").asDouble()).isCloseTo(1.0 - Math.exp(-sum), within(1e-5));
             assertThat(route.get("p_i").asDouble())
                     .isBetween(0.0, route.get("p_detect").asDouble() + 1e-5);
+            assertThat(route.get("causes_by_sensor_s").propertyNames()).containsExactly("round", "radio");
             JsonNode last = route.get("points").get(route.get("points").size() - 1);
             assertThat(route.get("critical_s").asDouble())
                     .isCloseTo(last.get("t").asDouble() - 5.0, within(1e-5));
+            for (JsonNode times : List.of(
+                    route.get("causes_s"),
+                    route.get("causes_by_sensor_s").get("round"),
+                    route.get("causes_by_sensor_s").get("radio"))) {
+                double seconds = 0.0;
+                for (JsonNode one : times) {
+                    seconds += one.asDouble();
+                }
+                assertThat(seconds).isCloseTo(last.get("t").asDouble(), within(1e-3));
+            }
             assertThat(Math.hypot(last.get("x").asDouble(), last.get("y").asDouble()))
                     .isLessThanOrEqualTo(30.0);
         }

@@ -191,7 +191,8 @@ public final class FieldFile {
         }
     }
 
-    private static String name(Cause cause) {
+    /** The key of a cause. */
+    public static String name(Cause cause) {
         return PlanJson.name(cause);
     }
 }

@@ -2,8 +2,10 @@ package org.dronewatch.report.route;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
+import org.dronewatch.report.coverage.FieldFile;
 import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.Numbers;
+import org.dronewatch.route.CauseTimes;
 import org.dronewatch.route.RoutePoint;
 import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
@@ -75,6 +77,9 @@ public final class RouteFile {
         node.put("p_detect", Numbers.rounded(route.detection()));
         ObjectNode sensors = node.putObject("by_sensor");
         route.sensors().forEach((sensor, exposure) -> sensors.put(sensor, Numbers.rounded(exposure)));
+        add(node.putObject("causes_s"), route.causes().dominant());
+        ObjectNode own = node.putObject("causes_by_sensor_s");
+        route.causes().bySensor().forEach((sensor, times) -> add(own.putObject(sensor), times));
         if (survey.response() > 0.0) {
             node.put("p_in_time", Numbers.rounded(route.inTime(survey.response())));
             node.put("critical_s", Numbers.rounded(route.critical(survey.response())));
@@ -90,6 +95,10 @@ public final class RouteFile {
         } else {
             add(node.putObject("proof"), proof);
         }
+    }
+
+    private static void add(ObjectNode node, CauseTimes times) {
+        times.seconds().forEach((cause, seconds) -> node.put(FieldFile.name(cause), Numbers.rounded(seconds)));
     }
 
     private static void put(ObjectNode node, String key, OptionalDouble probability) {

@@ -23,13 +23,16 @@ final class RouteReasons {
     /** With more sensors than this, those with the same main cause are counted together. */
     private static final int MOST_SENSORS = 4;
 
-    /** The greatest number of causes that are stated for each sensor. */
+    /** Maximum number of causes that are stated for each sensor. */
     private static final int MOST_CAUSES = 3;
 
-    /** The greatest number of sensors with the same main cause that are named. */
+    /** Maximum number of sensors with the same main cause that are named. */
     private static final int MOST_NAMES = 3;
 
-    /** After the first cause, those that apply for less than this fraction of the flight are not stated. */
+    /**
+     * A sensor that misses the drone for less than this fraction of the flight is left out; so are further causes that
+     * apply for less.
+     */
     private static final double LEAST_SHARE = 0.05;
 
     /** A cause that does not apply all the time is not stated with 100 %. */
@@ -58,13 +61,21 @@ final class RouteReasons {
                 : common(route).map(words -> ", " + words).orElse("");
     }
 
-    /** Whether the cause that applies for the longest time is not the same for all sensors. */
+    /** Whether the main cause of a sensor is another than that which is dominant for the longest time. */
     static boolean differ(SectorRoute route) {
         Optional<Cause> dominant = route.causes().dominant().longest();
         return dominant.isPresent()
-                && route.causes().bySensor().values().stream()
+                && missing(route).values().stream()
                         .flatMap(times -> times.longest().stream())
                         .anyMatch(cause -> cause != dominant.get());
+    }
+
+    /** The causes of those sensors that do not detect the drone nearly all the time. */
+    private static Map<String, CauseTimes> missing(SectorRoute route) {
+        Map<String, CauseTimes> missing = new LinkedHashMap<>(route.causes().bySensor());
+        missing.values()
+                .removeIf(times -> times.longest().isEmpty() || times.missed() < LEAST_SHARE - ROUNDING);
+        return missing;
     }
 
     private static Optional<String> common(SectorRoute route) {
@@ -85,8 +96,7 @@ final class RouteReasons {
     }
 
     private String bySensor(SectorRoute route, int most) {
-        Map<String, CauseTimes> missing = new LinkedHashMap<>(route.causes().bySensor());
-        missing.values().removeIf(times -> times.longest().isEmpty());
+        Map<String, CauseTimes> missing = missing(route);
         Map<String, List<String>> sensors = new LinkedHashMap<>();
         missing.forEach((sensor, times) -> sensors.computeIfAbsent(
                         missing.size() > MOST_SENSORS ? main(sensor, times) : causes(sensor, times, most),
@@ -102,7 +112,8 @@ final class RouteReasons {
     }
 
     private String main(String sensor, CauseTimes times) {
-        return "mainly " + name(sensor, times.longest().orElseThrow());
+        Cause longest = times.longest().orElseThrow();
+        return (times.share(longest) > 0.5 ? "mainly " : "partly ") + name(sensor, longest);
     }
 
     /** The causes of one sensor, the most frequent first: {@code out of view 74 % of the time, too slow 19 %}. */

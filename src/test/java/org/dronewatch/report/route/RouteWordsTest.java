@@ -3,10 +3,14 @@ package org.dronewatch.report.route;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.report.html.ReportPage;
 import org.dronewatch.report.map.RouteMap;
 import org.dronewatch.route.CauseTimes;
 import org.dronewatch.route.RouteCauses;
@@ -16,6 +20,9 @@ import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.w3c.dom.Document;
 
 /** What the table, the verdict and the pictures say of {@link RouteSamples}. */
 class RouteWordsTest extends RouteSamples {
@@ -44,7 +51,7 @@ class RouteWordsTest extends RouteSamples {
 
     /** The dominant cause is that of the sensor that comes nearest to a detection, and hides that of the other. */
     @Test
-    void causesThatDifferAreStatedBySensor() {
+    void causesThatDifferAreStatedBySensor() throws IOException {
         CauseTimes weak = new CauseTimes(Map.of(Cause.TOO_WEAK, 30.0));
         Map<String, CauseTimes> bySensor = new LinkedHashMap<>();
         bySensor.put(
@@ -70,6 +77,13 @@ class RouteWordsTest extends RouteSamples {
                 .contains(
                         "30 m above the ground (slow: out of view 74 % of the time; slower: echo too weak all the time):"
                                 + " no sensor detects it on the way");
+        ByteArrayOutputStream page = new ByteArrayOutputStream();
+        new RouteReport(results(route), inputs, site.stage()).write(page, List.of(), Map.of());
+        Document report = ReportPage.parsed(page.toString(StandardCharsets.UTF_8));
+        assertThat(ReportPage.texts(report, "th")).containsSubsequence("most exposed to", "reason for misses");
+        assertThat(ReportPage.texts(report, "td"))
+                .containsSubsequence(
+                        "no sensor", reasons.inWords(route).orElseThrow());
     }
 
     @Test
@@ -92,6 +106,35 @@ class RouteWordsTest extends RouteSamples {
 
         assertThat(new RouteReasons(inputs.settings()).inWords(missed(hidden, bySensor)))
                 .contains("5 sensors: mainly hidden by a building; far: mainly out of range");
+    }
+
+    /** What a sensor misses for a moment only is no reason, and does not replace what all sensors share. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 5})
+    void aSensorThatHardlyMissesTheDroneIsLeftOut(int others) {
+        CauseTimes weak = new CauseTimes(Map.of(Cause.TOO_WEAK, 20.0, Cause.DETECTED, 10.0));
+        Map<String, CauseTimes> bySensor = new LinkedHashMap<>();
+        for (int i = 0; i < others; i++) {
+            bySensor.put("slow" + (i == 0 ? "" : i), weak);
+        }
+        bySensor.put("slower", new CauseTimes(Map.of(Cause.DETECTED, 28.8, Cause.OUT_OF_VIEW, 1.2)));
+        RouteReasons reasons = new RouteReasons(inputs.settings());
+
+        assertThat(reasons.inWords(missed(weak, bySensor)))
+                .contains("too small, faint or quiet for the sensors most of the time");
+    }
+
+    @Test
+    void aCauseThatAppliesForAShortTimeIsNotTheMainOne() {
+        CauseTimes hidden = new CauseTimes(Map.of(Cause.HIDDEN_BY_BUILDING, 30.0));
+        Map<String, CauseTimes> bySensor = new LinkedHashMap<>();
+        for (int i = 1; i <= 5; i++) {
+            bySensor.put("camera-" + i, hidden);
+        }
+        bySensor.put("slower", new CauseTimes(Map.of(Cause.DETECTED, 28.5, Cause.OUT_OF_VIEW, 1.5)));
+
+        assertThat(new RouteReasons(inputs.settings()).inWords(missed(hidden, bySensor)))
+                .contains("5 sensors: mainly hidden by a building; slower: partly out of view");
     }
 
     /** A route on which nothing detects the drone. */
