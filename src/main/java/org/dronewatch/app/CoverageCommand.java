@@ -1,5 +1,6 @@
 package org.dronewatch.app;
 
+import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
@@ -273,8 +274,15 @@ final class CoverageCommand implements Callable<Integer> {
         });
     }
 
+    /** Where the tables are found that are too long to be printed. */
+    private String report() {
+        return out == null
+                ? "--out DIR writes all of them to report.html"
+                : "see " + PlainText.value(Path.of(out).resolve("report.html").toString());
+    }
+
     private void print(FieldSurvey survey, CoverageInputs inputs) {
-        json.print(() -> FieldFile.toJson(survey, inputs), target -> SurveyTables.lines(survey, inputs)
+        json.print(() -> FieldFile.toJson(survey, inputs), target -> SurveyTables.lines(survey, inputs, report())
                 .forEach(target::println));
         if (!survey.isComplete()) {
             spec.commandLine().getErr().println("interrupted: " + SurveyTables.missing(survey));

@@ -153,7 +153,7 @@ class CoverageCommandTest {
     @Test
     void theCausesOfEachSensorAreStatedEvenIfAnotherOneDecides() {
         List<String> worst = causes("worst");
-        int at = worst.indexOf("causes of each sensor's misses, in % of the known cells at all heights:");
+        int at = worst.indexOf("each sensor's own causes, in % of the known cells at all heights:");
         assertThat(worst.subList(0, at)).noneMatch(line -> line.contains("too slow"));
         assertThat(worst.get(at + 1)).matches("sensor +detected +.*too slow .*signal too weak");
         assertThat(worst.get(at + 2)).matches("round +- .*");
@@ -162,6 +162,34 @@ class CoverageCommandTest {
                 .isEqualTo("too slow: hovering, or flying across a radar's line of sight; what is detected on other"
                         + " headings is shown by --heading best or inbound");
         assertThat(causes("inbound")).noneMatch(line -> line.startsWith("too slow:"));
+    }
+
+    /** The first twelve of fifteen sensors are printed; the others are where the line says. */
+    @Test
+    void aTableThatIsCutSaysWhereTheRestIs() throws IOException {
+        Path many = Files.createDirectories(directory.resolve("many"));
+        StringBuilder sensors = new StringBuilder();
+        for (int i = 0; i < 15; i++) {
+            sensors.append("  radio-").append(i).append(": {kind: rf, position: [0, 0, 10]}\n");
+        }
+        FieldSite.in(many, sensors.toString());
+        List<String> command = new ArrayList<>(List.of(
+                "coverage", many.resolve("site.yaml").toString(), "--heights=60m", "--side=40", "--cell=20m"));
+        assertThat(Program.run(command.toArray(String[]::new)).out().lines())
+                .contains("and 3 more sensors (--out DIR writes all of them to report.html)");
+        Path out = many.resolve("field");
+        command.add("--out=" + out);
+        assertThat(Program.run(command.toArray(String[]::new)).out().lines())
+                .contains("and 3 more sensors (see " + out.resolve("report.html") + ")");
+        assertThat(Files.readString(out.resolve("report.html"))).contains(">radio-14<");
+    }
+
+    /** The radar is blind on the worst heading, and the receiver is not: the file does not mix them up. */
+    @Test
+    void theFileStatesTheCausesOfEachSensor() {
+        JsonNode high = json.get("heights").get(1).get("causes_by_sensor");
+        assertThat(high.get("radio").propertyNames()).doesNotContain("out-of-view", "too-slow");
+        assertThat(high.get("round").propertyNames()).contains("out-of-range").doesNotContain("silent");
     }
 
     private static List<String> causes(String heading) {

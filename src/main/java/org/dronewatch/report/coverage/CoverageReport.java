@@ -210,7 +210,7 @@ final class CoverageReport {
                                                 : "where none detects it with a probability of "
                                                         + number(FieldCoverage.DEFAULT_COVERED) + " or more."))
                 + Html.table(head, rows)
-                + new SensorCausesTable(summary).html()
+                + new SensorCausesTable(summary).html(inputs)
                 + FieldTable.slownessInWords(summary, inputs)
                         .map(words -> Html.plain("p", "Too slow: " + words + "."))
                         .orElse("");

@@ -30,7 +30,7 @@ public final class WarningWords {
         return "A drone flies straight in from " + number(warnings.reach()) + " m away, at its cruise speed, to "
                 + (warnings.isZone() ? "the protected zone" : "the centroid of the sensors")
                 + ". For each bearing from which it comes, the figure shows the time from its first detection until"
-                + " it arrives; where a line touches the centre, it arrives undetected. "
+                + " it arrives; where a line touches the centre, the drone arrives undetected. "
                 + (warnings.response() > 0.0
                         ? "For bearings at which a line is inside the ring, the warning comes too late."
                         : "The scene requires no response time (alert.response).");

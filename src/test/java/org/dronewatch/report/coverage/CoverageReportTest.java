@@ -82,8 +82,13 @@ class CoverageReportTest {
     }
 
     private static String html(FieldSurvey survey, SceneSettings settings, Optional<Origin> origin) throws IOException {
+        return html(survey, settings, origin, "best");
+    }
+
+    private static String html(FieldSurvey survey, SceneSettings settings, Optional<Origin> origin, String heading)
+            throws IOException {
         CoverageInputs inputs = new CoverageInputs(
-                "boxes <1>", FieldSite.DRONE, "best", 0.5, FieldTerms.ONE_LOOK, Optional.empty(), origin);
+                "boxes <1>", FieldSite.DRONE, heading, 0.5, FieldTerms.ONE_LOOK, Optional.empty(), origin);
         CoverageSite there = new CoverageSite(settings, site.stage());
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         new CoverageReport(survey, inputs, there)
@@ -128,6 +133,30 @@ class CoverageReportTest {
             }
         }
         return nearest;
+    }
+
+    /** On the worst heading, both radars are blind, and the report says why and where to look for other headings. */
+    @Test
+    void theCausesOfEachSensorAreStatedWithTheReasonForBlindRadars() throws IOException {
+        FieldSurvey worst = new FieldSurvey(
+                GRID,
+                FieldSummary.of(found.summary().coverage().field(), FieldCoverage.Choice.WORST, 0.5),
+                found.visible(),
+                found.detectable(),
+                found.warnings());
+        Document blind = ReportPage.parsed(html(worst, site.settings(), Optional.empty(), "worst"));
+
+        assertThat(ReportPage.texts(page, "p"))
+                .contains("The table states why each sensor by itself misses the drone in a look, in % of the known area at"
+                        + " all heights.")
+                .noneMatch(line -> line.startsWith("Too slow: "));
+        assertThat(ReportPage.texts(page, "th")).contains("out of range [%]");
+        assertThat(ReportPage.texts(blind, "p"))
+                .containsSubsequence(
+                        "The table states why each sensor by itself misses the drone in a look, in % of the known area at"
+                                + " all heights.",
+                        "Too slow: hovering, or flying across a radar's line of sight; what is detected on other headings"
+                                + " is shown by --heading best or inbound.");
     }
 
     @Test

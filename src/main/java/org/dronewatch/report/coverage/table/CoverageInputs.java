@@ -31,6 +31,32 @@ public record CoverageInputs(
         return terms.within();
     }
 
+    /** The area to which the cells are limited, as the end of a phrase: {@code  in 'yard'}; empty if there is none. */
+    public String areaInWords() {
+        return area.map(name -> " in '" + name + "'").orElse("");
+    }
+
+    /** What counts as covered, as the end of a phrase; empty if that is what counts as detected. */
+    String termsInWords() {
+        return within().map(time -> ", covered within " + Numbers.text(time) + " s"
+                        + withProbability()
+                        + ", and causes of misses in single looks")
+                .orElseGet(() -> hasDefaultProbability()
+                        ? ""
+                        : ", covered" + withProbability() + ", detected with " + detectedInWords());
+    }
+
+    /** What counts as detected where that differs from what counts as covered, as the end of a phrase. */
+    String singleLooksInWords() {
+        return within().isEmpty() && hasDefaultProbability()
+                ? ""
+                : ", detected in single looks with a probability of " + detectedInWords();
+    }
+
+    private static String detectedInWords() {
+        return Numbers.text(FieldCoverage.DEFAULT_COVERED) + " or more";
+    }
+
     /** The heading in words, {@code on the worst heading} or {@code inbound}; if sensors search, it says so, too. */
     public String headingInWords() {
         return (heading.equals("inbound") ? heading : "on the " + heading + " heading")

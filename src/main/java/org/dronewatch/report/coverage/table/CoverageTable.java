@@ -1,11 +1,9 @@
 package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.sensor.Cause;
 
@@ -43,27 +41,17 @@ public final class CoverageTable {
      * @param causes number of cells for each, by sensor: {@link Coverage#causes}
      */
     public static List<String> causes(Coverage coverage, Map<String, Map<Cause, Integer>> causes) {
-        Set<Cause> shown = EnumSet.of(Cause.DETECTED);
-        causes.values().forEach(all -> shown.addAll(all.keySet()));
-        // Detected is the last of the causes and the first of the columns.
-        List<Cause> columns = new ArrayList<>(List.of(Cause.DETECTED));
-        shown.stream().filter(cause -> cause != Cause.DETECTED).forEach(columns::add);
-
+        CauseColumns columns = CauseColumns.of(causes.values());
         List<String> lines = new ArrayList<>();
         lines.add(format("in %% of the %,d cells with ground below them:", coverage.groundCells()));
-        StringBuilder header = new StringBuilder(format(NAMES, "sensor", "kind"));
-        columns.forEach(cause -> header.append("  ").append(name(cause)));
-        lines.add(header.toString());
-        coverage.sensors().forEach((id, sensor) -> {
-            StringBuilder line = new StringBuilder(format(NAMES, id, sensor.kind()));
-            for (Cause cause : columns) {
-                int cells = cause == Cause.DETECTED
-                        ? coverage.reachedCells(id)
-                        : causes.get(id).getOrDefault(cause, 0);
-                line.append(format("  %" + name(cause).length() + "s", percent(cells, coverage.groundCells())));
-            }
-            lines.add(line.toString());
-        });
+        lines.add(format(NAMES, "sensor", "kind") + columns.head());
+        coverage.sensors()
+                .forEach((id, sensor) -> lines.add(format(NAMES, id, sensor.kind())
+                        + columns.row(
+                                cause -> cause == Cause.DETECTED
+                                        ? coverage.reachedCells(id)
+                                        : causes.get(id).getOrDefault(cause, 0),
+                                coverage.groundCells())));
         return lines;
     }
 

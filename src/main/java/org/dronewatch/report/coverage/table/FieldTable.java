@@ -31,19 +31,7 @@ public final class FieldTable {
         Set<Cause> causes = EnumSet.noneOf(Cause.class);
         summary.heights().forEach(height -> causes.addAll(height.causes().keySet()));
         List<String> lines = new ArrayList<>();
-        String terms = inputs.within()
-                .map(time -> ", covered within " + Numbers.text(time) + " s"
-                        + (inputs.hasDefaultProbability()
-                                ? ""
-                                : " with a probability of " + Numbers.text(inputs.covered()) + " or more")
-                        + ", and causes of misses in single looks")
-                .orElseGet(() -> inputs.hasDefaultProbability()
-                        ? ""
-                        : ", covered with a probability of " + Numbers.text(inputs.covered())
-                                + " or more, detected with " + Numbers.text(FieldCoverage.DEFAULT_COVERED)
-                                + " or more");
-        String area = inputs.area().map(name -> " in '" + name + "'").orElse("");
-        lines.add("in % of the known cells" + area + " at each height" + terms + ":");
+        lines.add("in % of the known cells" + inputs.areaInWords() + " at each height" + inputs.termsInWords() + ":");
         StringBuilder header = new StringBuilder(text(HEIGHT, "height") + text("  %11s", "known cells") + "  covered");
         causes.forEach(cause -> header.append("  ").append(CoverageTable.name(cause)));
         lines.add(header.toString());
@@ -56,10 +44,6 @@ public final class FieldTable {
             }
             lines.add(line.toString());
         }
-        if (summary.coverage().field().sensors().size() == 1) {
-            slownessInWords(summary, inputs).map("too slow: "::concat).ifPresent(lines::add);
-        }
-        unknownInWords(summary).map("unknown: "::concat).ifPresent(lines::add);
         return lines;
     }
 

@@ -1,11 +1,9 @@
 package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.report.html.Html;
@@ -17,7 +15,7 @@ import org.dronewatch.setting.Counted;
  * sensor that comes nearest to a detection, and hide those of the others.
  */
 public final class SensorCausesTable {
-    /** Of more sensors than one beyond this number, the printed table has only this many. */
+    /** With more than one sensor beyond this number, only this many rows are printed. */
     private static final int MOST_ROWS = 12;
 
     private static final String NAME = "%-24s";
@@ -48,37 +46,43 @@ public final class SensorCausesTable {
         return causes.size() > 1 && known > 0;
     }
 
-    /** The lines of the table; empty for a single sensor, whose causes are the dominant ones. */
-    public List<String> lines() {
+    /**
+     * The lines of the table; empty for a single sensor, whose causes are the dominant ones.
+     *
+     * @param inputs of the coverage
+     * @param report where the sensors that are not printed are found, such as {@code in field/report.html}
+     */
+    public List<String> lines(CoverageInputs inputs, String report) {
         List<String> lines = new ArrayList<>();
         if (!isNeeded()) {
             return lines;
         }
-        List<Cause> columns = columns();
-        lines.add("causes of each sensor's misses, in % of the known cells at all heights:");
-        StringBuilder header = new StringBuilder(text(NAME, "sensor"));
-        columns.forEach(cause -> header.append("  ").append(CoverageTable.name(cause)));
-        lines.add(header.toString());
+        CauseColumns columns = CauseColumns.of(causes.values());
+        lines.add("each sensor's own causes, in % of the known cells" + inputs.areaInWords() + " at all heights"
+                + inputs.singleLooksInWords() + ":");
+        lines.add(text(NAME, "sensor") + columns.head());
         // A line that says that one more sensor is left out would be as long as that sensor's row.
         int shown = causes.size() == MOST_ROWS + 1 ? causes.size() : MOST_ROWS;
-        causes.entrySet().stream().limit(shown).forEach(sensor -> {
-            StringBuilder line = new StringBuilder(text(NAME, sensor.getKey()));
-            columns.forEach(cause -> line.append(
-                    text("  %" + CoverageTable.name(cause).length() + "s", percent(sensor.getValue(), cause))));
-            lines.add(line.toString());
-        });
+        causes.entrySet().stream()
+                .limit(shown)
+                .forEach(sensor -> lines.add(text(NAME, sensor.getKey())
+                        + columns.row(cause -> sensor.getValue().getOrDefault(cause, 0), known)));
         if (causes.size() > shown) {
-            lines.add("and " + Counted.of(causes.size() - shown, "more sensor") + " in report.html");
+            lines.add("and " + Counted.of(causes.size() - shown, "more sensor") + " (" + report + ")");
         }
         return lines;
     }
 
-    /** The table of a report, with all sensors; empty for a single sensor. */
-    public String html() {
+    /**
+     * The table of a report, with all sensors; empty for a single sensor.
+     *
+     * @param inputs of the coverage
+     */
+    public String html(CoverageInputs inputs) {
         if (!isNeeded()) {
             return "";
         }
-        List<Cause> columns = columns();
+        List<Cause> columns = CauseColumns.of(causes.values()).causes();
         List<String> head = new ArrayList<>(List.of("sensor"));
         columns.forEach(cause -> head.add(CoverageTable.name(cause) + " [%]"));
         List<List<String>> rows = new ArrayList<>();
@@ -90,18 +94,8 @@ public final class SensorCausesTable {
         return Html.plain(
                         "p",
                         "The table states why each sensor by itself misses the drone in a look, in % of the known area"
-                                + " at all heights.")
+                                + inputs.areaInWords() + " at all heights" + inputs.singleLooksInWords() + ".")
                 + Html.table(head, rows);
-    }
-
-    /** Detected is the last of the causes and the first of the columns. */
-    private List<Cause> columns() {
-        Set<Cause> shown = EnumSet.noneOf(Cause.class);
-        causes.values().forEach(its -> shown.addAll(its.keySet()));
-        shown.remove(Cause.DETECTED);
-        List<Cause> columns = new ArrayList<>(List.of(Cause.DETECTED));
-        columns.addAll(shown);
-        return columns;
     }
 
     private String percent(Map<Cause, Integer> its, Cause cause) {

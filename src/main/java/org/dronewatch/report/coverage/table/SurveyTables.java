@@ -2,6 +2,7 @@ package org.dronewatch.report.coverage.table;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.FieldSurvey;
 
 /** All tables of a survey of the coverage. */
@@ -29,11 +30,13 @@ public final class SurveyTables {
                 + (missing.isEmpty() ? "" : "; missing: " + String.join(", ", missing));
     }
 
-    /** The tables of what was completed, separated by empty lines. */
-    public static List<String> lines(FieldSurvey survey, CoverageInputs inputs) {
-        List<List<String>> tables = new ArrayList<>();
-        tables.add(FieldTable.causes(survey.summary(), inputs));
-        tables.add(bySensor(survey, inputs));
+    /**
+     * The tables of what was completed, separated by empty lines.
+     *
+     * @param report where the sensors of a table are found that are not printed
+     */
+    public static List<String> lines(FieldSurvey survey, CoverageInputs inputs, String report) {
+        List<List<String>> tables = new ArrayList<>(causes(survey.summary(), inputs, report));
         survey.visible().map(FieldTable::visible).ifPresent(tables::add);
         survey.detectable()
                 .map(heights -> FieldTable.detectable(heights, inputs))
@@ -58,14 +61,18 @@ public final class SurveyTables {
         return lines;
     }
 
-    /** The causes of each sensor, and why a radar may be blind on the worst heading. */
-    private static List<String> bySensor(FieldSurvey survey, CoverageInputs inputs) {
-        List<String> lines = new SensorCausesTable(survey.summary()).lines();
-        if (!lines.isEmpty()) {
-            FieldTable.slownessInWords(survey.summary(), inputs)
-                    .map("too slow: "::concat)
-                    .ifPresent(lines::add);
+    /** The dominant causes and those of each sensor; below the last of them, why a radar may be blind. */
+    private static List<List<String>> causes(FieldSummary summary, CoverageInputs inputs, String report) {
+        List<List<String>> tables = new ArrayList<>();
+        tables.add(new ArrayList<>(FieldTable.causes(summary, inputs)));
+        List<String> bySensor = new SensorCausesTable(summary).lines(inputs, report);
+        if (!bySensor.isEmpty()) {
+            tables.add(bySensor);
         }
-        return lines;
+        FieldTable.slownessInWords(summary, inputs)
+                .map("too slow: "::concat)
+                .ifPresent(tables.get(tables.size() - 1)::add);
+        FieldTable.unknownInWords(summary).map("unknown: "::concat).ifPresent(tables.get(0)::add);
+        return tables;
     }
 }

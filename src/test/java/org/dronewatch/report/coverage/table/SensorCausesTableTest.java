@@ -5,10 +5,43 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.sensor.Cause;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class SensorCausesTableTest {
+    private static final FieldTerms ONE_LOOK = FieldTerms.ONE_LOOK;
+    private static final String REPORT = "see field/report.html";
+
+    private static CoverageInputs inputs(FieldTerms terms, double covered, Optional<String> area) {
+        return new CoverageInputs("site", "one", "worst", covered, terms, area, Optional.empty());
+    }
+
+    /** The fractions are of the zone, and detected is not the same as covered. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '"',
+            value = {
+                "0.5 |   | at all heights:",
+                "0.5 | z | in 'z' at all heights:",
+                "0.9 | z | in 'z' at all heights, detected in single looks with a probability of 0.5 or more:",
+            })
+    void theTitleStatesOfWhatTheFractionsAre(double covered, String area, String end) {
+        Map<String, Map<Cause, Integer>> causes = new LinkedHashMap<>();
+        causes.put("guard", Map.of(Cause.OUT_OF_VIEW, 10));
+        causes.put("ears", Map.of(Cause.DETECTED, 10));
+        CoverageInputs inputs = inputs(ONE_LOOK, covered, Optional.ofNullable(area));
+        SensorCausesTable table = new SensorCausesTable(causes, 10);
+
+        assertThat(table.lines(inputs, REPORT).get(0))
+                .isEqualTo("each sensor's own causes, in % of the known cells " + end);
+        assertThat(table.html(inputs)).contains("in % of the known area " + end.replace(":", "."));
+    }
+
     @Test
     void eachSensorHasARowWithItsOwnCauses() {
         Map<String, Map<Cause, Integer>> causes = new LinkedHashMap<>();
@@ -16,13 +49,13 @@ class SensorCausesTableTest {
         causes.put("ears", Map.of(Cause.TOO_WEAK, 996, Cause.DETECTED, 4));
         SensorCausesTable table = new SensorCausesTable(causes, 1000);
 
-        assertThat(table.lines().stream().map(line -> line.replaceAll(" {2,}", " | ")))
+        assertThat(table.lines(inputs(ONE_LOOK, 0.5, Optional.empty()), REPORT).stream().map(line -> line.replaceAll(" {2,}", " | ")))
                 .containsExactly(
-                        "causes of each sensor's misses, in % of the known cells at all heights:",
+                        "each sensor's own causes, in % of the known cells at all heights:",
                         "sensor | detected | out of view | too slow | hidden by a building | signal too weak",
                         "guard | - | 74.0 | 19.0 | 7.0 | -",
                         "ears | 0.4 | - | - | - | 99.6");
-        assertThat(table.html()).contains("out of view [%]", ">guard<", ">74.0<");
+        assertThat(table.html(inputs(ONE_LOOK, 0.5, Optional.empty()))).contains("out of view [%]", ">guard<", ">74.0<");
     }
 
     /** The causes of a single sensor are the dominant ones. */
@@ -30,8 +63,8 @@ class SensorCausesTableTest {
     void aSingleSensorNeedsNoTable() {
         SensorCausesTable table = new SensorCausesTable(Map.of("guard", Map.of(Cause.OUT_OF_VIEW, 10)), 10);
 
-        assertThat(table.lines()).isEmpty();
-        assertThat(table.html()).isEmpty();
+        assertThat(table.lines(inputs(ONE_LOOK, 0.5, Optional.empty()), REPORT)).isEmpty();
+        assertThat(table.html(inputs(ONE_LOOK, 0.5, Optional.empty()))).isEmpty();
     }
 
     @Test
@@ -41,11 +74,11 @@ class SensorCausesTableTest {
             causes.put("camera-" + i, Map.of(Cause.TOO_WEAK, 10));
         }
         SensorCausesTable table = new SensorCausesTable(causes, 10);
-        List<String> lines = table.lines();
+        List<String> lines = table.lines(inputs(ONE_LOOK, 0.5, Optional.empty()), REPORT);
 
-        assertThat(lines).hasSize(15).endsWith("and 3 more sensors in report.html");
+        assertThat(lines).hasSize(15).endsWith("and 3 more sensors (see field/report.html)");
         assertThat(lines.get(13)).startsWith("camera-12 ");
-        assertThat(table.html()).contains(">camera-15<");
+        assertThat(table.html(inputs(ONE_LOOK, 0.5, Optional.empty()))).contains(">camera-15<");
     }
 
     /** The line that says so would be as long as the row that it leaves out. */
@@ -55,7 +88,7 @@ class SensorCausesTableTest {
         for (int i = 1; i <= 13; i++) {
             causes.put("camera-" + i, Map.of(Cause.TOO_WEAK, 10));
         }
-        List<String> lines = new SensorCausesTable(causes, 10).lines();
+        List<String> lines = new SensorCausesTable(causes, 10).lines(inputs(ONE_LOOK, 0.5, Optional.empty()), REPORT);
 
         assertThat(lines).hasSize(15);
         assertThat(lines.get(14)).startsWith("camera-13 ");
