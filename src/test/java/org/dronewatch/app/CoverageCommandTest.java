@@ -173,8 +173,8 @@ class CoverageCommandTest {
             sensors.append("  radio-").append(i).append(": {kind: rf, position: [0, 0, 10]}\n");
         }
         FieldSite.in(many, sensors.toString());
-        List<String> command = new ArrayList<>(List.of(
-                "coverage", many.resolve("site.yaml").toString(), "--heights=60m", "--side=40", "--cell=20m"));
+        List<String> command = new ArrayList<>(
+                List.of("coverage", many.resolve("site.yaml").toString(), "--heights=60m", "--side=40", "--cell=20m"));
         assertThat(Program.run(command.toArray(String[]::new)).out().lines())
                 .contains("and 3 more sensors (--out DIR writes all of them to report.html)");
         Path out = many.resolve("field");

@@ -90,10 +90,12 @@ class BirdsTest {
                 .doesNotContain("\"drone\" : \"buzzard\"");
         assertThat(Files.readString(out.resolve("report.html")))
                 .contains("raised by radar, was caused by a bird: 'buzzard'", "starling (flock of 12)")
-                .contains("Every sensor detects every drone at some time. The table below states for what part of the run"
-                        + " a sensor does not detect a drone, and why.")
-                .containsPattern("<td>radio</td><td>rf</td><td>intruder</td><td class=\"n\">9\\d %</td>"
-                        + "<td>9\\d % of the time: signal too weak; 1 % of the time: detectable, but not detected</td>");
+                .contains(
+                        "Every sensor detects every drone at some time. The table below states for what part of the run"
+                                + " a sensor does not detect a drone, and why.")
+                .containsPattern(
+                        "<td>radio</td><td>rf</td><td>intruder</td><td class=\"n\">9\\d %</td>"
+                                + "<td>9\\d % of the time: signal too weak; 1 % of the time: detectable, but not detected</td>");
     }
 
     @Test

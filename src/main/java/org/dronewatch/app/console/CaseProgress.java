@@ -41,7 +41,12 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
      * @param statesEnd whether a line also states how many cases are done at the end
      * @param clock gives the time, ns
      */
-    CaseProgress(int all, PrintWriter err, Function<Supplier<Optional<Duration>>, ProgressBar> bar, boolean statesEnd, LongSupplier clock) {
+    CaseProgress(
+            int all,
+            PrintWriter err,
+            Function<Supplier<Optional<Duration>>, ProgressBar> bar,
+            boolean statesEnd,
+            LongSupplier clock) {
         this.all = all;
         this.err = err;
         this.statesEnd = statesEnd;
@@ -70,9 +75,7 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     private void show() {
         int done = kept + ran;
         double rate = rate();
-        end = rate > 0.0
-                ? Optional.of(clock.getAsLong() + Math.round((all - done) / rate / NANO))
-                : Optional.empty();
+        end = rate > 0.0 ? Optional.of(clock.getAsLong() + Math.round((all - done) / rate / NANO)) : Optional.empty();
         if (bar != null) {
             bar.stepTo(done);
             return;

@@ -73,8 +73,7 @@ final class RouteReasons {
     /** The causes of those sensors that do not detect the drone nearly all the time. */
     private static Map<String, CauseTimes> missing(SectorRoute route) {
         Map<String, CauseTimes> missing = new LinkedHashMap<>(route.causes().bySensor());
-        missing.values()
-                .removeIf(times -> times.longest().isEmpty() || times.missed() < LEAST_SHARE - ROUNDING);
+        missing.values().removeIf(times -> times.longest().isEmpty() || times.missed() < LEAST_SHARE - ROUNDING);
         return missing;
     }
 

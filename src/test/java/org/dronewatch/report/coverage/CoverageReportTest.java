@@ -147,8 +147,9 @@ class CoverageReportTest {
         Document blind = ReportPage.parsed(html(worst, site.settings(), Optional.empty(), "worst"));
 
         assertThat(ReportPage.texts(page, "p"))
-                .contains("The table states why each sensor by itself misses the drone in a look, in % of the known area at"
-                        + " all heights.")
+                .contains(
+                        "The table states why each sensor by itself misses the drone in a look, in % of the known area at"
+                                + " all heights.")
                 .noneMatch(line -> line.startsWith("Too slow: "));
         assertThat(ReportPage.texts(page, "th")).contains("out of range [%]");
         assertThat(ReportPage.texts(blind, "p"))

@@ -82,8 +82,7 @@ class RouteWordsTest extends RouteSamples {
         Document report = ReportPage.parsed(page.toString(StandardCharsets.UTF_8));
         assertThat(ReportPage.texts(report, "th")).containsSubsequence("most exposed to", "reason for misses");
         assertThat(ReportPage.texts(report, "td"))
-                .containsSubsequence(
-                        "no sensor", reasons.inWords(route).orElseThrow());
+                .containsSubsequence("no sensor", reasons.inWords(route).orElseThrow());
     }
 
     @Test

@@ -9,7 +9,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.analysis.field.DetectableHeights;
-import org.dronewatch.analysis.field.FieldCoverage;
 import org.dronewatch.analysis.field.VisibleHeights;
 import org.dronewatch.analysis.layer.InterpolationError;
 import org.dronewatch.analysis.survey.FieldSummary;

@@ -59,7 +59,9 @@ final class Misses {
                 (sensor, drone) -> pairs.get(false).contains(List.of(sensor, drone)),
                 (sensor, group, members) -> row(sensor, group, members, why(sensor, members)));
         String partly = table(
-                List.of("sensor", "kind", "drone", "time without detection", "reason"), this::isPartly, this::partlyRow);
+                List.of("sensor", "kind", "drone", "time without detection", "reason"),
+                this::isPartly,
+                this::partlyRow);
         String lost = table(
                 List.of("sensor", "kind", "drone", "lost at [s]", "range at loss [m]", "reason after loss"),
                 (sensor, drone) -> intervals.lostForGood(sensor, drone).isPresent(),

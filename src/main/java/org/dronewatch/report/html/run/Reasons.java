@@ -78,7 +78,9 @@ final class Reasons {
         boolean quiet = !Sightline.hasFieldOfView(missing) && tooWeak > 0 && fractions.gliding() > 0;
         return fractions.inWords("always %s", 1.0)
                 + distance
-                + (quiet ? "; motors off " + percent((double) fractions.gliding() / fractions.missed()) + " of the time" : "");
+                + (quiet
+                        ? "; motors off " + percent((double) fractions.gliding() / fractions.missed()) + " of the time"
+                        : "");
     }
 
     /** Why a sensor does not detect some drones again that it has lost, in words. */

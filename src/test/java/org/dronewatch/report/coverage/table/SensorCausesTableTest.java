@@ -49,13 +49,15 @@ class SensorCausesTableTest {
         causes.put("ears", Map.of(Cause.TOO_WEAK, 996, Cause.DETECTED, 4));
         SensorCausesTable table = new SensorCausesTable(causes, 1000);
 
-        assertThat(table.lines(inputs(ONE_LOOK, 0.5, Optional.empty()), REPORT).stream().map(line -> line.replaceAll(" {2,}", " | ")))
+        assertThat(table.lines(inputs(ONE_LOOK, 0.5, Optional.empty()), REPORT).stream()
+                        .map(line -> line.replaceAll(" {2,}", " | ")))
                 .containsExactly(
                         "each sensor's own causes, in % of the known cells at all heights:",
                         "sensor | detected | out of view | too slow | hidden by a building | signal too weak",
                         "guard | - | 74.0 | 19.0 | 7.0 | -",
                         "ears | 0.4 | - | - | - | 99.6");
-        assertThat(table.html(inputs(ONE_LOOK, 0.5, Optional.empty()))).contains("out of view [%]", ">guard<", ">74.0<");
+        assertThat(table.html(inputs(ONE_LOOK, 0.5, Optional.empty())))
+                .contains("out of view [%]", ">guard<", ">74.0<");
     }
 
     /** The causes of a single sensor are the dominant ones. */

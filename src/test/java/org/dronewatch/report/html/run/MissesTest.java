@@ -84,7 +84,8 @@ class MissesTest {
             for (String drone : settings.individualDrones().keySet()) {
                 OptionalDouble first = events.stream()
                         .map(DetectionEvent::observation)
-                        .filter(one -> one.sensor().equals(sensor) && one.drone().equals(drone))
+                        .filter(one ->
+                                one.sensor().equals(sensor) && one.drone().equals(drone))
                         .mapToDouble(Observation::arrival)
                         .min();
                 pairs.add(new PairResult(0, sensor, "rf", drone, first, first, false, first));
@@ -144,8 +145,9 @@ class MissesTest {
 
         assertThat(texts(tables(), "td")).contains("x: 1 of 25 drones", "19 %");
         assertThat(texts(tables(), "p"))
-                .contains("Every sensor detects every drone at some time. The table below states for what part of the run"
-                        + " a sensor does not detect a drone, and why.");
+                .contains(
+                        "Every sensor detects every drone at some time. The table below states for what part of the run"
+                                + " a sensor does not detect a drone, and why.");
     }
 
     @Test
@@ -165,8 +167,9 @@ class MissesTest {
 
         event("radio", "x-1", false, 59.8);
         assertThat(texts(tables(), "p"))
-                .containsExactly("Every sensor detects every drone for at least 99 % of the time, but some lose a drone and"
-                        + " do not detect it again.");
+                .containsExactly(
+                        "Every sensor detects every drone for at least 99 % of the time, but some lose a drone and"
+                                + " do not detect it again.");
         assertThat(texts(tables(), "td")).contains("59.8");
     }
 
@@ -190,8 +193,9 @@ class MissesTest {
 
         assertThat(texts(page, "p"))
                 .contains("1 more pair of sensor and drone is not shown.")
-                .contains("Some sensors detect a drone, but not all the time. The table below states for what part of the"
-                        + " run a sensor does not detect a drone, and why.");
+                .contains(
+                        "Some sensors detect a drone, but not all the time. The table below states for what part of the"
+                                + " run a sensor does not detect a drone, and why.");
         assertThat(texts(page, "td").stream().filter("90 %"::equals)).hasSize(DetectionTables.MAX_ROWS);
     }
 }
