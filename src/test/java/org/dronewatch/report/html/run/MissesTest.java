@@ -125,7 +125,7 @@ class MissesTest {
             scene(
                     "1",
                     "  radio: {kind: radar, position: [0, 0, 150], minRange: 1, maxRange: 400, elevationWidth: 90 deg,"
-                            + " minSpeed: 0 m/s, budget: {range: 37, crossSection: 0.01}, detection: {kind: chance}}");
+                            + " minSpeed: 0 m/s, budget: {range: 50, crossSection: 0.01}, detection: {kind: chance}}");
         }
         if (looked) {
             runner.onFrame(looks::add).run();
