@@ -165,8 +165,9 @@ class CuedCameraTest {
 
         assertThat(notes)
                 .contains(
-                        "warning: sensor 'cued' holds a drone for 0.40 s, but 'radar', which cues it,"
-                                + " looks every 5.0 s: the positioner will lose the drone in between",
+                        "warning: sensors.cued.positioner.hold 0.40 s is how long it waits for a drone that it no longer"
+                                + " sees, but 'radar', which cues it, looks only every 5.0 s: the drone is lost in"
+                                + " between",
                         "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its positioner"
                                 + " tilts only from -50.0 to 60.0 degrees");
     }

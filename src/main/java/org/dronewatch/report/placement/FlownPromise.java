@@ -88,7 +88,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         return all.stream().min(Comparator.comparingDouble(Loss::inTime)).map(least -> {
             String chance = "detected in time with a probability of " + FrontWords.percent(least.inTime())
                     + ", on the route " + FlownLayout.from(least.route())
-                    + least.flown().because(least.route(), "; the search estimates otherwise") + ".";
+                    + least.flown().because(least.route(), "; the estimate of the search differs") + ".";
             String sentence = all.size() == 1
                     ? " In flights past the layout without " + least.sensor() + ", the drone is " + chance
                     : " In flights past the layout without each of these sensors in turn, the worst case is the loss"

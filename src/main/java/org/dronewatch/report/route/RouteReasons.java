@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.dronewatch.report.coverage.table.CoverageTable;
 import org.dronewatch.report.html.ReadableNumbers;
@@ -70,9 +71,12 @@ final class RouteReasons {
                         .anyMatch(cause -> cause != dominant.get());
     }
 
-    /** The causes of those sensors that do not detect the drone nearly all the time. */
+    /**
+     * The causes of those sensors that do not detect the drone nearly all the time, by name: the order of the sensors
+     * in the scene has no effect on a route.
+     */
     private static Map<String, CauseTimes> missing(SectorRoute route) {
-        Map<String, CauseTimes> missing = new LinkedHashMap<>(route.causes().bySensor());
+        Map<String, CauseTimes> missing = new TreeMap<>(route.causes().bySensor());
         missing.values().removeIf(times -> times.longest().isEmpty() || times.missed() < LEAST_SHARE - ROUNDING);
         return missing;
     }
@@ -142,7 +146,7 @@ final class RouteReasons {
         return switch (cause) {
             case TOO_WEAK -> settings.sensors().get(sensor).description().weakness();
             case UNKNOWN -> "behind unknown ground";
-            case SILENT -> "without an emission that it recognises";
+            case SILENT -> "no recognised emission";
             default -> CoverageTable.name(cause);
         };
     }

@@ -38,7 +38,7 @@ public record LightAdvice(Light light) {
             if (light.illuminance() < low || light.illuminance() > high) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "world.light.illuminance %s does not fit a sun %.3g degrees %s the horizon: the natural range there is %s"
+                        "world.light.illuminance %s is implausible with the sun %.3g degrees %s the horizon: the natural range at this elevation is %s"
                                 + " to %s; both are used as stated",
                         Quantity.ILLUMINANCE.inWords(light.illuminance()),
                         Math.abs(Math.toDegrees(sun.elevation())),

@@ -24,8 +24,8 @@ public record PositionerAdvice(SceneSettings scene, String id, PositionerSetting
             if (positioner.hold() < interval) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "sensor '%s' holds a drone for %.2g s, but '%s', which cues it, looks every %.2g s: the positioner"
-                                + " will lose the drone in between",
+                        "sensors.%s.positioner.hold %.2g s is how long it waits for a drone that it no longer sees, but"
+                                + " '%s', which cues it, looks only every %.2g s: the drone is lost in between",
                         id,
                         positioner.hold(),
                         cue,

@@ -21,11 +21,12 @@ class LightAdviceTest {
     void lightThatNoWeatherBringsIsNamedWithItsRange() {
         assertThat(advice(-20, 60_000))
                 .containsExactly(
-                        "world.light.illuminance 60000 lx does not fit a sun 20.0 degrees below the horizon: the"
-                                + " natural range there is 1e-5 lx to 0.27 lx; both are used as stated");
+                        "world.light.illuminance 60000 lx is implausible with the sun 20.0 degrees below the horizon: the"
+                                + " natural range at this elevation is 1e-5 lx to 0.27 lx; both are used as stated");
         assertThat(advice(60, 1))
-                .containsExactly("world.light.illuminance 1 lx does not fit a sun 60.0 degrees above the horizon: the"
-                        + " natural range there is 510 lx to 150000 lx; both are used as stated");
+                .containsExactly(
+                        "world.light.illuminance 1 lx is implausible with the sun 60.0 degrees above the horizon: the"
+                                + " natural range at this elevation is 510 lx to 150000 lx; both are used as stated");
     }
 
     /** Sunshine, thick cloud, dusk, full moon and starlight. */

@@ -183,7 +183,7 @@ public final class FieldTable {
                     isAccurate
                             ? ""
                             : text(
-                                    ", more than %s dB: %s",
+                                    ", which is above the limit of %s dB: %s",
                                     Numbers.text(InterpolationError.ACCURATE), remedy(sensor, error))));
         });
         return lines;

@@ -67,10 +67,13 @@ final class Misses {
                 (sensor, drone) -> intervals.lostForGood(sensor, drone).isPresent(),
                 this::lostRow);
         if (never.isEmpty() && partly.isEmpty()) {
-            String throughout = "very sensor detects every drone for at least 99 % of the time";
             return lost.isEmpty()
-                    ? Html.plain("p", "None: e" + throughout + ".")
-                    : Html.plain("p", "E" + throughout + ", but some lose a drone and do not detect it again.") + lost;
+                    ? Html.plain("p", "None: every sensor detects every drone for at least 99 % of the time.")
+                    : Html.plain(
+                                    "p",
+                                    "Every sensor detects every drone for at least 99 % of the time, but some lose a"
+                                            + " drone and do not detect it again.")
+                            + lost;
         }
         String which = never.isEmpty()
                 ? "Every sensor detects every drone at some time."
