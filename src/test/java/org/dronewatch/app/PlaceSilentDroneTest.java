@@ -36,7 +36,7 @@ class PlaceSilentDroneTest {
             "Against a drone that transmits nothing (autonomous, or controlled by fibre), the layout's ";
 
     private static final String HINT =
-            ". Run place with '--set drones.one.radio.control=autonomous' for the best layout against it.";
+            ". For the best layout against it, run place with --set drones.one.radio.control=autonomous";
 
     @TempDir
     private Path directory;

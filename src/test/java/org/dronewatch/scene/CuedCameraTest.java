@@ -165,9 +165,8 @@ class CuedCameraTest {
 
         assertThat(notes)
                 .contains(
-                        "warning: sensors.cued.positioner.hold 0.40 s is how long it waits for a drone that it no longer"
-                                + " sees, but 'radar', which cues it, looks only every 5.0 s: the drone is lost in"
-                                + " between",
+                        "warning: sensors.cued.positioner.hold 0.40 s is less than the 5.0 s between looks of 'radar',"
+                                + " which cues it: the positioner gives the drone up between cues",
                         "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its positioner"
                                 + " tilts only from -50.0 to 60.0 degrees");
     }

@@ -37,7 +37,7 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
      * Nothing is done yet.
      *
      * @param all number of cases, those of earlier runs included
-     * @param bar makes the bar, which asks for the time that is left; null for lines
+     * @param bar makes the bar, which asks for the time that is left; it gives null for lines
      * @param statesEnd whether a line also states how many cases are done at the end
      * @param clock gives the time, ns
      */

@@ -70,8 +70,8 @@ record SilentDrone(PlacedLayout layout, PlaceMeasure measure) {
     private String hint() {
         String drone = layout.plan().drone();
         return layout.plan().present().drones().containsKey(drone)
-                ? " Run place with '--set " + ShellWord.of("drones." + drone + ".radio.control=autonomous")
-                        + "' for the best layout against it."
+                ? " For the best layout against it, run place with --set "
+                        + ShellWord.of("drones." + drone + ".radio.control=autonomous")
                 : "";
     }
 

@@ -3,6 +3,7 @@ package org.dronewatch.report.provenance;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
@@ -36,15 +37,14 @@ public record SceneDirectories(Path scene, ResultKind kind, Pattern names) {
      * @param takes whether the scene can be written into a directory
      */
     Optional<Path> nearest(Predicate<Path> takes) {
-        Path directory = scene.toAbsolutePath().normalize();
         // The root of a file system holds no results.
-        while (directory.getParent() != null) {
-            if (Files.isWritable(directory) && kind.isAlone(directory) && isFree(directory) && takes.test(directory)) {
-                return Optional.of(directory);
-            }
-            directory = directory.getParent();
-        }
-        return Optional.empty();
+        return Stream.iterate(scene.toAbsolutePath().normalize(), Objects::nonNull, Path::getParent)
+                .filter(directory -> directory.getNameCount() > 0)
+                .filter(Files::isWritable)
+                .filter(kind::isAlone)
+                .filter(this::isFree)
+                .filter(takes)
+                .findFirst();
     }
 
     /** Whether files with these names can only be earlier results of the command. */

@@ -24,12 +24,12 @@ public record PositionerAdvice(SceneSettings scene, String id, PositionerSetting
             if (positioner.hold() < interval) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "sensors.%s.positioner.hold %.2g s is how long it waits for a drone that it no longer sees, but"
-                                + " '%s', which cues it, looks only every %.2g s: the drone is lost in between",
+                        "sensors.%s.positioner.hold %.2g s is less than the %.2g s between looks of '%s', which cues it:"
+                                + " the positioner gives the drone up between cues",
                         id,
                         positioner.hold(),
-                        cue,
-                        interval));
+                        interval,
+                        cue));
             }
         }
         SensorSettings<?> sensor = scene.sensors().get(id);

@@ -98,10 +98,11 @@ class RouteWordsTest extends RouteSamples {
     void manySensorsAreCountedByTheirMainCause() {
         CauseTimes hidden = new CauseTimes(Map.of(Cause.HIDDEN_BY_BUILDING, 20.0, Cause.OUT_OF_VIEW, 10.0));
         Map<String, CauseTimes> bySensor = new LinkedHashMap<>();
+        // In another order than that of their names, which counts.
+        bySensor.put("far", new CauseTimes(Map.of(Cause.OUT_OF_RANGE, 30.0)));
         for (int i = 1; i <= 5; i++) {
             bySensor.put("camera-" + i, hidden);
         }
-        bySensor.put("far", new CauseTimes(Map.of(Cause.OUT_OF_RANGE, 30.0)));
 
         assertThat(new RouteReasons(inputs.settings()).inWords(missed(hidden, bySensor)))
                 .contains("5 sensors: mainly hidden by a building; far: mainly out of range");

@@ -143,7 +143,8 @@ final class Misses {
                 .map(drone -> intervals.lostForGood(sensor, drone).orElseThrow())
                 .toList();
         double last = lost.stream().mapToDouble(Observation::arrival).max().orElseThrow();
-        List<String> row = new ArrayList<>(row(sensor, group, members, reasons.afterLoss(sensor, some(members), last)));
+        List<String> row =
+                new ArrayList<>(row(sensor, group, members, reasons.afterLoss(sensor, some(members), last, looks)));
         row.add(3, ReadableNumbers.range(lost.stream().mapToDouble(Observation::arrival)));
         row.add(4, ReadableNumbers.range(lost.stream().mapToDouble(Observation::range)));
         return row;

@@ -59,9 +59,9 @@ record MomentReason(Explanation explanation, String words) {
 
     private static MomentReason ofDetectable(SensorSettings<?> settings, double probability, boolean hasLooked) {
         String words = !hasLooked
-                ? "before the first look"
+                ? "before the first look at the drone"
                 : probability == 1.0
-                        ? "detectable, but not detected"
+                        ? "between looks"
                         : settings.chance() == Chance.PER_ENCOUNTER
                                 ? "not found by the observer"
                                 : "missed by chance or between looks";

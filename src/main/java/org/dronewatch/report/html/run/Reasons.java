@@ -84,9 +84,8 @@ final class Reasons {
     }
 
     /** Why a sensor does not detect some drones again that it has lost, in words. */
-    String afterLoss(String sensor, List<String> drones, double time) {
-        String weak = settings.sensors().get(sensor).description().weakness();
-        return fractions(sensor, drones, time, (drone, later) -> true, always(weak))
+    String afterLoss(String sensor, List<String> drones, double time, RunLooks looks) {
+        return fractions(sensor, drones, time, (drone, later) -> true, gap(sensor, looks))
                 .inWords("%s from then on", 1.0);
     }
 
@@ -98,23 +97,12 @@ final class Reasons {
      * @param looks of the run
      */
     String whileUndetected(String sensor, List<String> drones, DetectionIntervals detected, RunLooks looks) {
-        SensorSettings<?> missing = settings.sensors().get(sensor);
         double part = drones.stream()
                 .mapToDouble(drone -> missedPart(sensor, drone, detected))
                 .average()
                 .orElseThrow();
         Fractions fractions = fractions(
-                sensor,
-                drones,
-                0.0,
-                (drone, time) -> !detected.isDetected(sensor, drone, time),
-                (assessor, drone, pointing, time) -> MomentReason.ofGap(
-                        assessor,
-                        missing,
-                        drone,
-                        pointing,
-                        Look.of(settings.run().seed(), sensor, 0, time),
-                        looks.hasLooked(sensor, drone.id(), time)));
+                sensor, drones, 0.0, (drone, time) -> !detected.isDetected(sensor, drone, time), gap(sensor, looks));
         return fractions.missed() == 0 ? "in intervals too short to examine" : fractions.inWords("%s", part);
     }
 
@@ -131,6 +119,18 @@ final class Reasons {
     @FunctionalInterface
     private interface Explainer {
         MomentReason at(Assessor assessor, Drone drone, Optional<Pointing> pointing, double time);
+    }
+
+    /** For a drone that the sensor detects at other times. */
+    private Explainer gap(String sensor, RunLooks looks) {
+        SensorSettings<?> missing = settings.sensors().get(sensor);
+        return (assessor, drone, pointing, time) -> MomentReason.ofGap(
+                assessor,
+                missing,
+                drone,
+                pointing,
+                Look.of(settings.run().seed(), sensor, 0, time),
+                looks.hasLooked(sensor, drone.id(), time));
     }
 
     private static Explainer always(String weak) {
