@@ -131,8 +131,7 @@ final class RouteCommand implements Callable<Integer> {
             return ExitCode.NO_DISPLAY;
         }
         Runnable watch;
-        try (RouteDirectory target =
-                out == null ? null : new RouteDirectory(PathWord.of("--out", out), scene.directory())) {
+        try (RouteDirectory target = out == null ? null : new RouteDirectory(PathWord.of("--out", out), scene)) {
             watch = threads.call(() -> {
                 runner.adviseOnConditions();
                 Stage stage = runner.stage(settings);

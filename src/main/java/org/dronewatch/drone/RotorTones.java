@@ -59,8 +59,8 @@ public record RotorTones(
     }
 
     /**
-     * The tones of rotors with two blades, in six lines: the blade-passing frequency has half of the power of its
-     * octave band, and each harmonic a smaller fraction of the power of its own band. These fractions are assumed.
+     * The tones of rotors with two blades, in six lines: the tone at the blade-passing frequency has half of
+     * the power of the octave band in which it lies, and each harmonic a smaller fraction. These fractions are assumed.
      */
     @Defaults("rotorSpeed")
     public static RotorTones of(double rotorSpeed) {

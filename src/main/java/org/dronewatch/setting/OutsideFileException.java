@@ -10,7 +10,7 @@ public final class OutsideFileException extends InputException {
      * A problem described in one line, and its solution.
      *
      * @param fact what the problem is
-     * @param advice what to do about it; commands that write other files beside the settings have advice of their own
+     * @param advice what to do about it; commands that also write other files give different advice
      */
     public OutsideFileException(String fact, String advice) {
         super(fact + ": " + advice);

@@ -153,7 +153,8 @@ class CoverageCommandTest {
     @Test
     void theCausesOfEachSensorAreStatedEvenIfAnotherOneDecides() {
         List<String> worst = causes("worst");
-        int at = worst.indexOf("each sensor's own causes, in % of the known cells at all heights:");
+        int at = worst.indexOf(
+                "what each sensor detects by itself, and why it misses the rest, in % of the known cells at all heights:");
         assertThat(worst.subList(0, at)).noneMatch(line -> line.contains("too slow"));
         assertThat(worst.get(at + 1)).matches("sensor +detected +.*too slow .*signal too weak");
         assertThat(worst.get(at + 2)).matches("round +- .*");

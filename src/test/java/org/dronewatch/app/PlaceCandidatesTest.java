@@ -260,7 +260,7 @@ class PlaceCandidatesTest {
 
         assertThat(refused.code()).isEqualTo(2);
         assertThat(refused.complaints())
-                .containsExactly("output directory " + site + " holds an input of the search (layout.yaml), which"
+                .containsExactly("output directory " + site + " holds an input of the command (layout.yaml), which"
                         + " would be replaced: choose another directory");
         assertThat(scene).hasContent(before);
         assertThat(advised(file.toString(), directory.resolve("elsewhere"))).isEqualTo(directory);

@@ -214,4 +214,18 @@ class RouteCommandTest {
         }
         assertThat(routes).isEqualTo(8);
     }
+
+    /** A scene that an earlier search has written, searched again where it is. */
+    @Test
+    void theSceneIsNotReplacedByARoute() throws IOException {
+        Path scene = directory.resolve("route-north.yaml");
+        String before = Files.readString(scene);
+        Outcome refused = Program.run("route", scene.toString(), "--heights=10", "--out=" + directory);
+
+        assertThat(refused.code()).isEqualTo(2);
+        assertThat(refused.complaints())
+                .containsExactly("output directory " + directory + " holds an input of the command (route-north.yaml),"
+                        + " which would be replaced: choose another directory");
+        assertThat(scene).hasContent(before);
+    }
 }

@@ -47,7 +47,7 @@ public final class Progress implements SceneListener, AutoCloseable {
     }
 
     /**
-     * The same with an estimate of its own.
+     * A bar that shows a given estimate of the time left; none without a terminal.
      *
      * @param left the time that is left; any thread calls it
      */

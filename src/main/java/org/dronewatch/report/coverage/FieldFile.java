@@ -15,7 +15,6 @@ import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.report.coverage.table.CoverageInputs;
 import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.Numbers;
-import org.dronewatch.sensor.Cause;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
@@ -95,7 +94,7 @@ public final class FieldFile {
             share(node, "covered_share", numbers.covered(), numbers.known());
             share(node, "lost_share", height.lost(), height.knownAsItIs());
             ObjectNode causes = node.putObject("causes");
-            numbers.causes().forEach((cause, cells) -> share(causes, name(cause), cells, numbers.known()));
+            numbers.causes().forEach((cause, cells) -> share(causes, CauseKey.of(cause), cells, numbers.known()));
             ObjectNode sensors = node.putObject("sensors");
             height.bySensor().forEach((sensor, cells) -> share(sensors, sensor, cells, numbers.known()));
         }
@@ -134,11 +133,11 @@ public final class FieldFile {
                 survey.detectable().map(DetectableHeights::columns).orElse(0));
         node.put("volume_m3", Numbers.rounded(height.volume()));
         ObjectNode causes = node.putObject("causes");
-        height.causes().forEach((cause, cells) -> share(causes, name(cause), cells, height.known()));
+        height.causes().forEach((cause, cells) -> share(causes, CauseKey.of(cause), cells, height.known()));
         ObjectNode bySensor = node.putObject("causes_by_sensor");
         height.causesBySensor().forEach((sensor, its) -> {
             ObjectNode own = bySensor.putObject(sensor);
-            its.forEach((cause, cells) -> share(own, name(cause), cells, height.known()));
+            its.forEach((cause, cells) -> share(own, CauseKey.of(cause), cells, height.known()));
         });
         ObjectNode counts = node.putObject("count_shares");
         for (int sensors = 0; sensors < height.counts().length; sensors++) {
@@ -178,7 +177,7 @@ public final class FieldFile {
     private static void add(ObjectNode node, Gap gap) {
         node.put("x", Numbers.rounded(gap.x()));
         node.put("y", Numbers.rounded(gap.y()));
-        node.put("cause", name(gap.cause()));
+        node.put("cause", CauseKey.of(gap.cause()));
         node.put("touches_rim", gap.touchesRim());
     }
 
@@ -189,10 +188,5 @@ public final class FieldFile {
         } else {
             node.put(key, Numbers.rounded((double) cells / of));
         }
-    }
-
-    /** The key of a cause. */
-    public static String name(Cause cause) {
-        return PlanJson.name(cause);
     }
 }

@@ -1,6 +1,5 @@
 package org.dronewatch.report.coverage;
 
-import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.analysis.Coverage;
 import org.dronewatch.analysis.CoverageGrid;
@@ -37,14 +36,9 @@ public final class PlanJson {
             one.put("kind", sensor.kind());
             one.put("area_m2", Numbers.rounded(coverage.area(id)));
             ObjectNode cells = one.putObject("cells");
-            cells.put(name(Cause.DETECTED), coverage.reachedCells(id));
-            causes.get(id).forEach((cause, count) -> cells.put(name(cause), count));
+            cells.put(CauseKey.of(Cause.DETECTED), coverage.reachedCells(id));
+            causes.get(id).forEach((cause, count) -> cells.put(CauseKey.of(cause), count));
         });
         return root;
-    }
-
-    /** A cause as files name it: {@code hidden-by-terrain}. */
-    static String name(Cause cause) {
-        return cause.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 }

@@ -18,7 +18,6 @@ final class LayoutWarning {
     private final PlacePlan plan;
     private final Path file;
     private final SceneDirectories directories;
-    private final LayoutInputs inputs;
     private boolean isGiven;
 
     /**
@@ -26,13 +25,11 @@ final class LayoutWarning {
      *
      * @param file the scene that is to be written
      * @param directories where else it can be written
-     * @param inputs the files that it must not replace
      */
-    LayoutWarning(PlacePlan plan, Path file, SceneDirectories directories, LayoutInputs inputs) {
+    LayoutWarning(PlacePlan plan, Path file, SceneDirectories directories) {
         this.plan = plan;
         this.file = file;
         this.directories = directories;
-        this.inputs = inputs;
     }
 
     /** Warns if the layout cannot be written, whatever its sensors are. */
@@ -59,7 +56,11 @@ final class LayoutWarning {
     /** States why a scene is not written, and in which directory it can be. */
     void give(SceneSettings scene, InputException cause, Consumer<String> notes) {
         if (cause instanceof OutsideFileException outside) {
-            give(outside.fact() + "; " + directories.advice(directory -> takes(directory, scene)), notes);
+            give(
+                    outside.fact() + "; "
+                            + directories.advice(
+                                    directory -> plan.runner().text(scene, directory.resolve(file.getFileName()))),
+                    notes);
         } else {
             give(cause.getMessage(), notes);
         }
@@ -71,19 +72,6 @@ final class LayoutWarning {
             notes.accept("warning: the layout is not written as a scene, so there is no " + file.getFileName() + ": "
                     + reason);
             isGiven = true;
-        }
-    }
-
-    private boolean takes(Path directory, SceneSettings scene) {
-        Path there = directory.resolve(file.getFileName());
-        if (inputs.has(there)) {
-            return false;
-        }
-        try {
-            plan.runner().text(scene, there);
-            return true;
-        } catch (InputException e) {
-            return false;
         }
     }
 }

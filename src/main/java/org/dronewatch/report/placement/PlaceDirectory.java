@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.report.file.ShellWord;
 import org.dronewatch.report.html.Figure;
+import org.dronewatch.report.provenance.CommandInputs;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.ResultKind;
@@ -23,7 +25,6 @@ import org.dronewatch.report.provenance.SceneDirectories;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.setting.InputException;
-import org.dronewatch.setting.PlainText;
 
 /** The directory into which {@code place} writes; its files appear together or not at all. */
 public final class PlaceDirectory implements AutoCloseable {
@@ -52,18 +53,22 @@ public final class PlaceDirectory implements AutoCloseable {
      */
     public PlaceDirectory(Path target, Path placement, PlacePlan plan) {
         ResultKind.PLACE.checkAlone(target);
-        LayoutInputs inputs = LayoutInputs.of(placement, plan);
-        if (inputs.has(target.resolve(SCENE))) {
-            throw new InputException("output directory " + PlainText.value(target) + " holds an input of the search ("
-                    + SCENE + "), which would be replaced: choose another directory");
-        }
+        CommandInputs inputs = inputs(placement, plan);
+        inputs.checkKept(target, FILES);
         this.target = target;
         this.warning = new LayoutWarning(
                 plan,
                 target.resolve(SCENE),
-                new SceneDirectories(plan.scene().directory(), ResultKind.PLACE, FILES),
-                inputs);
+                new SceneDirectories(plan.scene().directory(), ResultKind.PLACE, FILES, inputs));
         this.directory = new OutputDirectory(target);
+    }
+
+    /** The placement file and the files of its plan. */
+    private static CommandInputs inputs(Path placement, PlacePlan plan) {
+        List<Path> files = new ArrayList<>(List.of(placement));
+        plan.conditionsFile().ifPresent(files::add);
+        files.addAll(CommandInputs.of(plan.scene()).files());
+        return new CommandInputs(files);
     }
 
     /**

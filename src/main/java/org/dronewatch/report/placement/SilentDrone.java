@@ -66,7 +66,7 @@ record SilentDrone(PlacedLayout layout, PlaceMeasure measure) {
         return left == 1 ? ": only its other sensor counts" : ": only its " + left + " other sensors count";
     }
 
-    /** How to choose a layout against such a drone; an empty text for one of a swarm, which has no path of its own. */
+    /** How to choose a layout against such a drone; empty for a drone of a swarm, whose settings are not individual. */
     private String hint() {
         String drone = layout.plan().drone();
         return layout.plan().present().drones().containsKey(drone)

@@ -5,10 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.dronewatch.report.file.ShellWord;
+import org.dronewatch.setting.InputException;
 
 /**
  * The directories in which a command can write its results and scenes: a scene names only files beside it or below it,
@@ -17,18 +19,27 @@ import org.dronewatch.report.file.ShellWord;
  * @param scene directory of the command's own scene
  * @param kind kind of the results
  * @param names names of the files that such results have besides the one that marks them
+ * @param inputs files of the command that must not be replaced
  */
-public record SceneDirectories(Path scene, ResultKind kind, Pattern names) {
+public record SceneDirectories(Path scene, ResultKind kind, Pattern names, CommandInputs inputs) {
     /**
      * What to do, as the end of a sentence, if a scene cannot be written where it was to be.
      *
-     * @param takes whether the scene can be written into a directory
+     * @param writes makes the text of the scene for a directory, or throws an {@link InputException} if it cannot
      */
-    public String advice(Predicate<Path> takes) {
-        return nearest(takes)
+    public String advice(Consumer<Path> writes) {
+        return nearest(directory -> isPossible(() -> writes.accept(directory)))
                 .map(directory -> "use --out " + ShellWord.of(directory))
-                .orElse("put the scene and all files that it names into a directory of their own, and use that for"
-                        + " --out");
+                .orElse("put the scene and all files that it names into a separate directory, and use that for --out");
+    }
+
+    private static boolean isPossible(Runnable writing) {
+        try {
+            writing.run();
+            return true;
+        } catch (InputException e) {
+            return false;
+        }
     }
 
     /**
@@ -42,6 +53,7 @@ public record SceneDirectories(Path scene, ResultKind kind, Pattern names) {
                 .filter(directory -> directory.getNameCount() > 0)
                 .filter(Files::isWritable)
                 .filter(kind::isAlone)
+                .filter(directory -> inputs.replacedIn(directory, names).isEmpty())
                 .filter(this::isFree)
                 .filter(takes)
                 .findFirst();

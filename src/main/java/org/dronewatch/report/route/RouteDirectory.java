@@ -15,6 +15,7 @@ import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.OutputDirectory;
 import org.dronewatch.report.html.Figure;
 import org.dronewatch.report.map.RouteMap;
+import org.dronewatch.report.provenance.CommandInputs;
 import org.dronewatch.report.provenance.Provenance;
 import org.dronewatch.report.provenance.ProvenanceFile;
 import org.dronewatch.report.provenance.ResultKind;
@@ -24,6 +25,7 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.run.Stage;
 import org.dronewatch.run.model.ModelCache;
+import org.dronewatch.scene.Scene;
 import org.dronewatch.setting.InputException;
 
 /** The directory into which {@code route} writes; its files appear together or not at all. */
@@ -41,13 +43,15 @@ public final class RouteDirectory implements AutoCloseable {
     /**
      * Makes sure that the directory can be written, before the work begins.
      *
-     * @param scene directory of the scene
-     * @throws InputException when it cannot be written, or holds the results of another command
+     * @throws InputException when it cannot be written, holds the results of another command, or holds the scene itself
+     *     under the name of a result
      */
-    public RouteDirectory(Path target, Path scene) {
+    public RouteDirectory(Path target, Scene scene) {
         ResultKind.ROUTE.checkAlone(target);
+        CommandInputs inputs = CommandInputs.of(scene);
+        inputs.checkKept(target, FILES);
         this.target = target;
-        this.directories = new SceneDirectories(scene, ResultKind.ROUTE, FILES);
+        this.directories = new SceneDirectories(scene.directory(), ResultKind.ROUTE, FILES, inputs);
         this.directory = new OutputDirectory(target);
     }
 

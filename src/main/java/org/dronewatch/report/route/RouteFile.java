@@ -2,7 +2,7 @@ package org.dronewatch.report.route;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.dronewatch.report.coverage.FieldFile;
+import org.dronewatch.report.coverage.CauseKey;
 import org.dronewatch.report.file.JsonFile;
 import org.dronewatch.report.file.Numbers;
 import org.dronewatch.route.CauseTimes;
@@ -98,7 +98,7 @@ public final class RouteFile {
     }
 
     private static void add(ObjectNode node, CauseTimes times) {
-        times.seconds().forEach((cause, seconds) -> node.put(FieldFile.name(cause), Numbers.rounded(seconds)));
+        times.seconds().forEach((cause, seconds) -> node.put(CauseKey.of(cause), Numbers.rounded(seconds)));
     }
 
     private static void put(ObjectNode node, String key, OptionalDouble probability) {

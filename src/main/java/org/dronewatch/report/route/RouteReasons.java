@@ -62,7 +62,7 @@ final class RouteReasons {
                 : common(route).map(words -> ", " + words).orElse("");
     }
 
-    /** Whether the main cause of a sensor is another than that which is dominant for the longest time. */
+    /** Whether the main cause of a sensor differs from the one that is dominant for the longest time. */
     static boolean differ(SectorRoute route) {
         Optional<Cause> dominant = route.causes().dominant().longest();
         return dominant.isPresent()

@@ -53,17 +53,13 @@ public final class RouteScenes {
      */
     Optional<String> write(RouteSurvey survey, Path target, SceneDirectories directories, OutputDirectory directory)
             throws IOException {
-        Map<String, String> scenes = new LinkedHashMap<>();
-        for (SectorRoute route : survey.routes()) {
-            String name = name(route);
-            try {
-                settings(route, survey)
-                        .ifPresent(scene -> scenes.put(name, commented(text.apply(scene, target.resolve(name)))));
-            } catch (OutsideFileException e) {
-                return Optional.of(NONE + e.fact() + "; " + directories.advice(other -> takes(other, survey)));
-            } catch (InputException e) {
-                return Optional.of(NONE + e.getMessage());
-            }
+        Map<String, String> scenes;
+        try {
+            scenes = texts(target, survey);
+        } catch (OutsideFileException e) {
+            return Optional.of(NONE + e.fact() + "; " + directories.advice(other -> texts(other, survey)));
+        } catch (InputException e) {
+            return Optional.of(NONE + e.getMessage());
         }
         for (Map.Entry<String, String> scene : scenes.entrySet()) {
             Files.write(directory.file(scene.getKey()), scene.getValue().getBytes(StandardCharsets.UTF_8));
@@ -74,16 +70,15 @@ public final class RouteScenes {
                         + " flights; comments in it say how to fly another");
     }
 
-    /** Whether the scenes of all routes can be written into a directory. */
-    private boolean takes(Path other, RouteSurvey survey) {
-        try {
-            for (SectorRoute route : survey.routes()) {
-                settings(route, survey).ifPresent(scene -> text.apply(scene, other.resolve(name(route))));
-            }
-            return true;
-        } catch (InputException e) {
-            return false;
+    /** The scenes of all routes for a directory, as {@link #text} writes them. */
+    private Map<String, String> texts(Path target, RouteSurvey survey) {
+        Map<String, String> scenes = new LinkedHashMap<>();
+        for (SectorRoute route : survey.routes()) {
+            String name = name(route);
+            settings(route, survey)
+                    .ifPresent(scene -> scenes.put(name, commented(text.apply(scene, target.resolve(name)))));
         }
+        return scenes;
     }
 
     /** The number of flights of each route. */

@@ -148,14 +148,14 @@ class CoverageReportTest {
 
         assertThat(ReportPage.texts(page, "p"))
                 .contains(
-                        "The table states why each sensor by itself misses the drone in a look, in % of the known area at"
-                                + " all heights.")
+                        "The table states what each sensor detects by itself, and why it misses the rest, in % of the"
+                                + " known area at all heights.")
                 .noneMatch(line -> line.startsWith("Too slow: "));
         assertThat(ReportPage.texts(page, "th")).contains("out of range [%]");
         assertThat(ReportPage.texts(blind, "p"))
                 .containsSubsequence(
-                        "The table states why each sensor by itself misses the drone in a look, in % of the known area at"
-                                + " all heights.",
+                        "The table states what each sensor detects by itself, and why it misses the rest, in % of the"
+                                + " known area at all heights.",
                         "Too slow: hovering, or flying across a radar's line of sight; what is detected on other headings"
                                 + " is shown by --heading best or inbound.");
     }

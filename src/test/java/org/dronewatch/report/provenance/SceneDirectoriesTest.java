@@ -7,7 +7,10 @@ import java.net.URI;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Pattern;
+import org.dronewatch.report.file.ShellWord;
+import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,23 +27,29 @@ class SceneDirectoriesTest {
         site = Files.createDirectories(directory.resolve("site"));
     }
 
-    private static SceneDirectories from(Path scene) {
-        return new SceneDirectories(scene, ResultKind.PLACE, Pattern.compile("layout\\.yaml|report\\.html"));
+    private static SceneDirectories from(Path scene, Path... inputs) {
+        return new SceneDirectories(
+                scene,
+                ResultKind.PLACE,
+                Pattern.compile("layout\\.yaml|report\\.html"),
+                new CommandInputs(List.of(inputs)));
     }
 
     @Test
     void theNearestIsThatOfTheScene() {
         assertThat(from(site).nearest(any -> true)).contains(site);
         assertThat(from(site).nearest(any -> !any.equals(site))).contains(directory);
-        assertThat(from(site).advice(any -> true)).isEqualTo("use --out " + site);
+        assertThat(from(site).advice(any -> {})).isEqualTo("use --out " + ShellWord.of(site));
     }
 
     /** Output directories that are roots are refused. */
     @Test
     void theRootIsNone() {
         assertThat(from(site).nearest(any -> any.getParent() == null)).isEmpty();
-        assertThat(from(site).advice(any -> any.getParent() == null))
-                .isEqualTo("put the scene and all files that it names into a directory of their own, and use that for"
+        assertThat(from(site).advice(any -> {
+                    throw new InputException("names a file elsewhere");
+                }))
+                .isEqualTo("put the scene and all files that it names into a separate directory, and use that for"
                         + " --out");
     }
 
@@ -51,6 +60,17 @@ class SceneDirectoriesTest {
 
         assertThat(modules).isDirectory();
         assertThat(from(modules).nearest(any -> true)).isEmpty();
+    }
+
+    /** Beside results of the command, where its files could be replaced, but not its inputs. */
+    @Test
+    void anInputIsNotReplaced() throws IOException {
+        Path scene = Files.writeString(site.resolve("layout.yaml"), "");
+        Files.writeString(site.resolve("place.json"), "{}");
+
+        assertThat(from(site).nearest(any -> true)).contains(site);
+        assertThat(from(site, scene).nearest(any -> true)).contains(directory);
+        assertThat(from(site, site.resolve("other.yaml")).nearest(any -> true)).contains(site);
     }
 
     /** Files of the user have these names, unless an earlier command wrote them. */

@@ -46,11 +46,11 @@ public record CoverageInputs(
                         : ", covered" + withProbability() + ", detected with " + detectedInWords());
     }
 
-    /** What counts as detected where that differs from what counts as covered, as the end of a phrase. */
-    String singleLooksInWords() {
+    /** What counts as detected, in a sentence, where that differs from what counts as covered. */
+    Optional<String> detectedInASentence() {
         return within().isEmpty() && hasDefaultProbability()
-                ? ""
-                : ", detected in single looks with a probability of " + detectedInWords();
+                ? Optional.empty()
+                : Optional.of("Here, \"detected\" means a probability of " + detectedInWords() + " in a single look.");
     }
 
     private static String detectedInWords() {

@@ -58,8 +58,8 @@ public final class SensorCausesTable {
             return lines;
         }
         CauseColumns columns = CauseColumns.of(causes.values());
-        lines.add("each sensor's own causes, in % of the known cells" + inputs.areaInWords() + " at all heights"
-                + inputs.singleLooksInWords() + ":");
+        lines.add("what each sensor detects by itself, and why it misses the rest, in % of the known cells"
+                + inputs.areaInWords() + " at all heights:");
         lines.add(text(NAME, "sensor") + columns.head());
         // A line that says that one more sensor is left out would be as long as that sensor's row.
         int shown = causes.size() == MOST_ROWS + 1 ? causes.size() : MOST_ROWS;
@@ -70,6 +70,7 @@ public final class SensorCausesTable {
         if (causes.size() > shown) {
             lines.add("and " + Counted.of(causes.size() - shown, "more sensor") + " (" + report + ")");
         }
+        inputs.detectedInASentence().ifPresent(lines::add);
         return lines;
     }
 
@@ -93,8 +94,9 @@ public final class SensorCausesTable {
         });
         return Html.plain(
                         "p",
-                        "The table states why each sensor by itself misses the drone in a look, in % of the known area"
-                                + inputs.areaInWords() + " at all heights" + inputs.singleLooksInWords() + ".")
+                        "The table states what each sensor detects by itself, and why it misses the rest, in % of the"
+                                + " known area" + inputs.areaInWords() + " at all heights."
+                                + inputs.detectedInASentence().map(" "::concat).orElse(""))
                 + Html.table(head, rows);
     }
 

@@ -30,7 +30,7 @@ record MomentReason(Explanation explanation, String words) {
      * The reason for a drone that the sensor detects at other times. A look at this moment might detect it: then chance
      * decides, or there is no look at this moment.
      *
-     * @param hasLooked whether the sensor has looked at the drone before
+     * @param hasObserved whether the sensor has observed the drone before, detected or not
      */
     static MomentReason ofGap(
             Assessor assessor,
@@ -38,7 +38,7 @@ record MomentReason(Explanation explanation, String words) {
             Drone drone,
             Optional<Pointing> pointing,
             Look look,
-            boolean hasLooked) {
+            boolean hasObserved) {
         String weak = settings.description().weakness();
         MomentReason missed = ofMiss(assessor, drone, pointing, weak);
         Cause cause = missed.explanation().cause();
@@ -49,16 +49,16 @@ record MomentReason(Explanation explanation, String words) {
         }
         Optional<Signal> open = assessor.signalInTheOpen(drone);
         if (open.isPresent()) {
-            return open.get().isDetected() ? ofDetectable(settings, open.get().probability(), hasLooked) : missed;
+            return open.get().isDetected() ? ofDetectable(settings, open.get().probability(), hasObserved) : missed;
         }
         Assessment there = assessor.assess(drone, pointing, look.random(drone.id(), RaySensor.RAYS));
         return there.cause() == Cause.DETECTED
-                ? ofDetectable(settings, there.probability(), hasLooked)
+                ? ofDetectable(settings, there.probability(), hasObserved)
                 : new MomentReason(there.explanation(), CauseWords.of(there.explanation(), drone, weak));
     }
 
-    private static MomentReason ofDetectable(SensorSettings<?> settings, double probability, boolean hasLooked) {
-        String words = !hasLooked
+    private static MomentReason ofDetectable(SensorSettings<?> settings, double probability, boolean hasObserved) {
+        String words = !hasObserved
                 ? "before the first look at the drone"
                 : probability == 1.0
                         ? "between looks"

@@ -130,7 +130,7 @@ final class Reasons {
                 drone,
                 pointing,
                 Look.of(settings.run().seed(), sensor, 0, time),
-                looks.hasLooked(sensor, drone.id(), time));
+                looks.hasObserved(sensor, drone.id(), time));
     }
 
     private static Explainer always(String weak) {

@@ -65,8 +65,11 @@ public final class RunLooks {
         return Optional.ofNullable(best.get(List.of(sensor, drone)));
     }
 
-    /** Whether a sensor has looked at a drone by a time, s since the start of the run; sound counts once it arrives. */
-    boolean hasLooked(String sensor, String drone, double time) {
+    /**
+     * Whether a sensor has observed a drone, detected or not, by a time, s since the start of the run; sound counts
+     * once it arrives.
+     */
+    boolean hasObserved(String sensor, String drone, double time) {
         return first.getOrDefault(List.of(sensor, drone), Double.POSITIVE_INFINITY) <= time;
     }
 

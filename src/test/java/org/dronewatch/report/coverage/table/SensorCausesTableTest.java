@@ -26,9 +26,9 @@ class SensorCausesTableTest {
             delimiter = '|',
             quoteCharacter = '"',
             value = {
-                "0.5 |   | at all heights:",
-                "0.5 | z | in 'z' at all heights:",
-                "0.9 | z | in 'z' at all heights, detected in single looks with a probability of 0.5 or more:",
+                "0.5 |   | at all heights",
+                "0.5 | z | in 'z' at all heights",
+                "0.9 | z | in 'z' at all heights",
             })
     void theTitleStatesOfWhatTheFractionsAre(double covered, String area, String end) {
         Map<String, Map<Cause, Integer>> causes = new LinkedHashMap<>();
@@ -37,9 +37,15 @@ class SensorCausesTableTest {
         CoverageInputs inputs = inputs(ONE_LOOK, covered, Optional.ofNullable(area));
         SensorCausesTable table = new SensorCausesTable(causes, 10);
 
-        assertThat(table.lines(inputs, REPORT).get(0))
-                .isEqualTo("each sensor's own causes, in % of the known cells " + end);
-        assertThat(table.html(inputs)).contains("in % of the known area " + end.replace(":", "."));
+        String detected = "Here, \"detected\" means a probability of 0.5 or more in a single look.";
+        List<String> lines = table.lines(inputs, REPORT);
+        assertThat(lines.get(0))
+                .isEqualTo("what each sensor detects by itself, and why it misses the rest, in % of the known cells "
+                        + end + ":");
+        assertThat(lines.contains(detected)).isEqualTo(covered != 0.5);
+        assertThat(table.html(inputs)).contains("in % of the known area " + end + ".");
+        assertThat(table.html(inputs).contains("means a probability of 0.5 or more in a single look."))
+                .isEqualTo(covered != 0.5);
     }
 
     @Test
@@ -52,7 +58,8 @@ class SensorCausesTableTest {
         assertThat(table.lines(inputs(ONE_LOOK, 0.5, Optional.empty()), REPORT).stream()
                         .map(line -> line.replaceAll(" {2,}", " | ")))
                 .containsExactly(
-                        "each sensor's own causes, in % of the known cells at all heights:",
+                        "what each sensor detects by itself, and why it misses the rest, in % of the known cells at"
+                                + " all heights:",
                         "sensor | detected | out of view | too slow | hidden by a building | signal too weak",
                         "guard | - | 74.0 | 19.0 | 7.0 | -",
                         "ears | 0.4 | - | - | - | 99.6");
