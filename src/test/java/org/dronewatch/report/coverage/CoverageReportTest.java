@@ -147,9 +147,8 @@ class CoverageReportTest {
         Document blind = ReportPage.parsed(html(worst, site.settings(), Optional.empty(), "worst"));
 
         assertThat(ReportPage.texts(page, "p"))
-                .contains(
-                        "The table states what each sensor detects by itself, and why it misses the rest, in % of the"
-                                + " known area at all heights.")
+                .contains("The table states what each sensor detects by itself, and why it misses the rest, in % of the"
+                        + " known area at all heights.")
                 .noneMatch(line -> line.startsWith("Too slow: "));
         assertThat(ReportPage.texts(page, "th")).contains("out of range [%]");
         assertThat(ReportPage.texts(blind, "p"))
