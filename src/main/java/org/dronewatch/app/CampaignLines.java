@@ -190,7 +190,7 @@ final class CampaignLines {
         int width = Math.max(pair.a().length(), pair.b().length());
         out.printf(
                 Locale.ROOT,
-                "deciding cases (%,d of %,d), each with the one variant whose outcome is '%s':%n",
+                "deciding cases (%,d of %,d), each with the only variant whose outcome is '%s':%n",
                 pair.deciding().size(),
                 all,
                 word(pair.outcome()));

@@ -22,7 +22,7 @@ final class CaseOptions {
     @Option(
             names = "--case",
             paramLabel = "K",
-            description = "Runs a single case, counted from 0, and prints its values and results.")
+            description = "Runs only the case with this index, counted from 0, and prints its values and results.")
     private Integer number;
 
     @Option(

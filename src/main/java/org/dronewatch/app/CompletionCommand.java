@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
         description = {
             "Prints a script that makes Bash and Zsh complete commands, options, their values and packaged scenes when"
                     + " you press the Tab key after 'dronewatch'.",
-            "To have it in every new shell, add the first example below to your ~/.bashrc or",
+            "To load it in every new shell, add the first example below to your ~/.bashrc or",
             "~/.zshrc."
         },
         // In the footer, lines are not wrapped: in two lines a command could not be copied.

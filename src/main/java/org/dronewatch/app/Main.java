@@ -221,7 +221,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
     public void run() {
         throw new ParameterException(
                 spec.commandLine(),
-                "Missing command: one of "
+                "Missing command: must be one of "
                         + String.join(", ", spec.subcommands().keySet()));
     }
 }

@@ -68,8 +68,8 @@ final class MergeCommand implements Callable<Integer> {
         List<CampaignPart> there = parts.stream()
                 .map(name -> new CampaignPart(plan, PathWord.of("", name)))
                 .toList();
-        checkWhole("cases", plan, there);
-        plan.sensitivity().ifPresent(further -> checkWhole("further cases", further, there));
+        checkWhole("", plan, there);
+        plan.sensitivity().ifPresent(further -> checkWhole(" of the sensitivity analysis", further, there));
         Path directory = PathWord.of("--out", out);
         int code;
         try (CampaignFiles files = new CampaignFiles(plan, directory, false)) {
@@ -99,7 +99,7 @@ final class MergeCommand implements Callable<Integer> {
                 .findFirst();
     }
 
-    private static void checkWhole(String what, Cases cases, List<CampaignPart> there) {
+    private static void checkWhole(String analysis, Cases cases, List<CampaignPart> there) {
         List<String> missing = new ArrayList<>();
         int first = -1;
         int chunks = CampaignRun.chunks(cases);
@@ -108,14 +108,16 @@ final class MergeCommand implements Callable<Integer> {
             if (isMissing && first < 0) {
                 first = chunk * CampaignRun.CHUNK;
             } else if (!isMissing && first >= 0) {
-                missing.add(first + " to " + (Math.min(chunk * CampaignRun.CHUNK, cases.size()) - 1));
+                int last = Math.min(chunk * CampaignRun.CHUNK, cases.size()) - 1;
+                missing.add(first == last ? Integer.toString(first) : first + " to " + last);
                 first = -1;
             }
         }
         if (!missing.isEmpty()) {
             String more = missing.size() > MOST_NAMED ? " and others" : "";
-            throw new InputException("no directory has the " + what + " "
-                    + String.join(", ", missing.subList(0, Math.min(MOST_NAMED, missing.size()))) + more);
+            String what = missing.size() == 1 && missing.get(0).matches("\\d+") ? "case " : "cases ";
+            throw new InputException("no directory has " + what
+                    + String.join(", ", missing.subList(0, Math.min(MOST_NAMED, missing.size()))) + more + analysis);
         }
     }
 }

@@ -101,7 +101,7 @@ final class PlaceCommand implements Callable<Integer> {
     @Option(
             names = "--budgets",
             paramLabel = "N",
-            description = "Greatest number of budgets for which the best layout is sought, the full one included, 1 to"
+            description = "Maximum number of budgets for which the best layout is sought, the full one included, 1 to"
                     + " 12; 12 by default.")
     private int budgets = FrontSearch.MOST;
 

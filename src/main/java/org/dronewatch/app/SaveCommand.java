@@ -105,7 +105,8 @@ final class SaveCommand implements Callable<Integer> {
         Notes.of(spec)
                 .accept(String.format(
                         Locale.ROOT,
-                        "mission of %s in %s: the flight deviates from the lines of the mission by at most %.1f m",
+                        "mission of %s in %s: the flight deviates from the straight legs of the mission"
+                                + " by at most %.1f m",
                         Counted.of(plan.items(), "item"),
                         PlainText.value(out),
                         plan.tolerance()));

@@ -186,7 +186,10 @@ final class BuildingReport {
                         Counted.of(triangles, "triangle"),
                         added == 0
                                 ? "all solids have floors"
-                                : Counted.of(added, "solid") + " had no floor, which was added")
+                                : Counted.of(
+                                        added,
+                                        "solid had no floor, which was added",
+                                        "solids had no floors, which were added"))
                 + (floors.isEmpty()
                         ? ""
                         : String.format(

@@ -172,7 +172,7 @@ final class BuildingSite {
             return;
         }
         if (!building.isPart() && parts.replaceSomeOf(building)) {
-            report.doubt("parts cover less than nine tenths of the outline, which is built as well", building.id());
+            report.doubt("parts cover less than nine tenths of the outline, so it is modelled as well", building.id());
         }
         double level = origin.height().orElse(0.0);
         if (ground.isPresent()) {

@@ -20,8 +20,9 @@ import org.dronewatch.setting.SettingsForm;
  *     above 0 and at most 20 dB; omit it to use {@code fluctuation}
  * @param droneClass a class of drones, which sets {@code crossSection} and {@code spread}; omit it to state these
  *     two yourself
- * @param rotorLevel level of its rotors' echo below that of its body, 0 to 100 dB: while its motors run, that part of
- *     the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for rotors without an echo
+ * @param rotorLevel level of its rotors' echo below that of its body, 0 to 100 dB: while its motors run, the
+ *     rotors' part of the cross-section passes a radar's {@code notch} even when the drone hovers; omit it for rotors
+ *     without an echo
  */
 public record RadarSignature(
         @In(value = Quantity.AREA, from = 1e-9, to = 1e6) double crossSection,

@@ -82,7 +82,7 @@ record SystemSwap(Catalog catalog, String id, String name) {
 
     private static void add(Map<String, SensorSettings<?>> all, String id, SensorSettings<?> sensor) {
         if (all.putIfAbsent(id, sensor) != null) {
-            throw new InputException("the scene has a sensor '" + id + "' already");
+            throw new InputException("the scene already has a sensor '" + id + "'");
         }
     }
 

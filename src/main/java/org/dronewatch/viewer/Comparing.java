@@ -105,7 +105,7 @@ final class Comparing {
     /** Shows the other run beside this one, or hides it. */
     void toggle() {
         if (panel.offered().isEmpty()) {
-            messages.accept("There is no other run yet: the Compare tab says how to make one");
+            messages.accept("There is no other run yet: the Compare tab explains how to create one");
             return;
         }
         if (panel.chosen().isEmpty()) {

@@ -25,6 +25,7 @@ import org.dronewatch.render.film.FilmMaker;
 import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.Counted;
+import org.dronewatch.setting.PlainText;
 import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.ViewedRun;
 
@@ -123,7 +124,7 @@ final class FilmExport implements AutoCloseable {
      * @throws IllegalArgumentException when a value is not a number or out of range
      */
     static Film film(ViewedRun viewed, String from, String to, String fps, String speed) {
-        double end = Double.parseDouble(to.strip());
+        double end = number("end time", to);
         // The end time is offered with two digits.
         double reached = viewed.run().reached();
         if (end > reached + 0.01) {
@@ -131,10 +132,26 @@ final class FilmExport implements AutoCloseable {
                     String.format(Locale.ROOT, "end time %s s: only %.2f s have been simulated", to.strip(), reached));
         }
         return new Film(
-                Double.parseDouble(from.strip()),
+                number("start time", from),
                 Math.min(end, reached),
-                Integer.parseInt(fps.strip()),
-                Double.parseDouble(speed.strip()));
+                wholeNumber("frames per second", fps),
+                number("playback speed", speed));
+    }
+
+    private static double number(String name, String text) {
+        try {
+            return Double.parseDouble(text.strip());
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(name + " '" + PlainText.value(text) + "': must be a number", e);
+        }
+    }
+
+    private static int wholeNumber(String name, String text) {
+        try {
+            return Integer.parseInt(text.strip());
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(name + " '" + PlainText.value(text) + "': must be a whole number", e);
+        }
     }
 
     private void save(FilmMaker maker, String name) {

@@ -97,7 +97,8 @@ final class RayPanel extends JPanel {
         boolean possible = sensors.getItemCount() > 0 && drones.getItemCount() > 0;
         trace.setEnabled(possible);
         take(null);
-        count.setText(possible ? "No rays have been traced yet." : "No sensor of the scene traces rays.");
+        count.setText(
+                possible ? "No rays have been traced yet." : "The scene has no drone, or no sensor that traces rays.");
         next.raySensors().stream()
                 .filter(sensor -> settings.sensors()
                         .get(sensor)

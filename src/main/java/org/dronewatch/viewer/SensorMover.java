@@ -219,7 +219,8 @@ final class SensorMover {
         messages.accept(
                 Mounted.positioner(sensor).isPresent()
                         ? "'" + id
-                                + "' is on a positioner that turns it to the drone: its own direction is only its starting direction"
+                                + "' is on a positioner, which turns it towards the drone:"
+                                + " only its initial direction has changed"
                         : String.format(
                                 Locale.ROOT,
                                 "'%s' has an azimuth of %.1f degrees and a tilt of %+.1f degrees",

@@ -83,7 +83,11 @@ class CampaignShardTest {
             assertThat(directory.resolve("matters-merged").resolve(name))
                     .hasSameTextualContentAs(directory.resolve("matters").resolve(name));
         }
-        refused("no directory has the further cases 50 to 99", "merge", at("matters-1"), "--out=" + at("none"));
+        refused(
+                "no directory has cases 50 to 99 of the sensitivity analysis",
+                "merge",
+                at("matters-1"),
+                "--out=" + at("none"));
     }
 
     /** A part alone cannot tell whether they are met. */
@@ -120,7 +124,7 @@ class CampaignShardTest {
 
     @Test
     void missingCasesAreNamedAndNothingIsWritten() {
-        refused("no directory has the cases 50 to 99", "merge", at("part-1"), at("part-3"), "--out=" + at("none"));
+        refused("no directory has cases 50 to 99", "merge", at("part-1"), at("part-3"), "--out=" + at("none"));
         refused("holds no campaign", "merge", at("part-1"), at("."), "--out=" + at("none"));
         refused("--out '': the path is empty", "merge", at("part-1"), at("part-2"), at("part-3"), "--out=");
         refused("holds other files", "merge", at("part-1"), at("part-2"), at("part-3"), "--out=" + directory);

@@ -140,8 +140,8 @@ class FlightFileSceneTest extends CommandLines {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
                 .containsPattern(
-                        "mission of \\d+ items in .*saved.plan: the flight deviates from the lines of the mission by at"
-                                + " most 0.5 m");
+                        "mission of \\d+ items in .*saved.plan: the flight deviates from the straight legs of the"
+                                + " mission by at most 0.5 m");
         write("flight: {plan: saved.plan}");
         assertThat(commandIn("check DIR/scene.yaml").code()).isZero();
         assertThat(commandIn("save DIR/approach.yaml --flight visitor --out DIR/saved.plan")

@@ -100,7 +100,7 @@ class PlaceAttacksTest {
                 .contains("<h2>The same attacks against the layout and today's sensors</h2>")
                 .contains("In 30 attacks, the alert is in time in ")
                 .contains("The attacks are 30 runs of the scene with each layout")
-                .contains("This command gives the same figures of the attacks");
+                .contains("This command gives the same figures for the attacks");
     }
 
     @Test

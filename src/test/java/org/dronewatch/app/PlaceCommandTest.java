@@ -189,7 +189,7 @@ class PlaceCommandTest {
     void itPrintsWhatTheLayoutIsWorth() {
         assertThat(outcome.out())
                 .contains("best layout from 15 candidates for a budget of 6 EUR, judged by its coverage averaged over"
-                        + " eight headings, in the order in which to buy:")
+                        + " eight headings, in order of purchase:")
                 .contains("The layout covers ")
                 .contains("The scene's own sensor covers ")
                 .contains(", whose loss is worst, the layout covers ")

@@ -97,7 +97,7 @@ class PlaceTimeTest {
         assertThat(json.get("complete").asBoolean()).isFalse();
         assertThat(json.get("stopped").get("left_out")).map(JsonNode::asString).contains("attacks");
         assertThat(outcome.out())
-                .containsPattern("(?m)^This command gives the same figures of the attacks.* --runs " + flown + "$");
+                .containsPattern("(?m)^This command gives the same figures for the attacks.* --runs " + flown + "$");
         assertThat(report)
                 .contains(String.format(Locale.ROOT, "The attacks are %,d runs of the scene", flown))
                 .doesNotContain("..</");

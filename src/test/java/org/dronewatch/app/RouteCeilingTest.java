@@ -80,11 +80,11 @@ class RouteCeilingTest {
                 .hasSize(8)
                 .allMatch(route -> route.get("p_in_time").asDouble() < 1e-3);
         assertThat(notes(found)).noneMatch(note -> note.contains("ceiling"));
-        assertThat(notes(low)).noneMatch(note -> note.contains("begins more than"));
+        assertThat(notes(low)).noneMatch(note -> note.contains("starts more than"));
         assertThat(notes(found))
                 .containsOnlyOnce(
-                        "On the routes from all directions, the drone begins more than 150 m above the ground at"
-                                + " the edge of the area. What sensors detect of it farther out does not count; to count it, try"
+                        "On the routes from all directions, the drone starts more than 150 m above the ground at"
+                                + " the edge of the area. Detections farther out do not count; to count them, try"
                                 + " a larger --side.");
         assertThat(found.get("heights_m").get(0).asDouble()).isEqualTo(2.0);
         assertThat(found.get("heights_m").get(11).asDouble()).isEqualTo(500.0);

@@ -71,8 +71,7 @@ class RouteSlowTest {
             assertThat(slowestLeg(route.get("points"))).isCloseTo(0.99 * 3.0, within(1e-3));
         });
         assertThat(Files.readString(directory.resolve("slow/report.html")))
-                .contains(
-                        "may slow down to 2.97 m/s at any time", "'slow' is for how long the drone flies at 2.97 m/s");
+                .contains("may slow down to 2.97 m/s at any time", "'slow' is how long the drone flies at 2.97 m/s");
     }
 
     /** Along its path, m/s. */

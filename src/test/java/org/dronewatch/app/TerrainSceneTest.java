@@ -342,7 +342,7 @@ class TerrainSceneTest {
                 "EPSG:32633|EPSG:32632|site.yaml:3:12: world.terrain: ground.asc: no posts within 2000.0 m of the origin",
                 "file: ground.asc|files: [ground.asc, missing.asc]|world.terrain.files.1: file 'missing.asc' does not exist",
                 "file: ground.asc|files: [ground.asc], file: ground.asc|files and 'file' are both given",
-                "file: ground.asc|files: [../ground.asc]|leads out of the directory",
+                "file: ground.asc|files: [../ground.asc]|must be a relative path to a file in",
                 "file: ground.asc, crs: EPSG:32633|radius: 1 km|world.terrain needs a 'file'",
                 "accuracy: 0|accuracy: -1|world.terrain.accuracy: accuracy -1 m must be 0 to 1000",
                 "accuracy: 0|accurracy: 0|unknown setting 'accurracy'; did you mean 'accuracy'?",

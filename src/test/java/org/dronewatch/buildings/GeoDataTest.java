@@ -324,7 +324,7 @@ class GeoDataTest {
                 .load(BuildingSettings.of("delft.city.json").withRadius(20_000), origin, Optional.empty());
         city.description().forEach(line -> print("%s", line));
         assertThat(city.count()).isEqualTo(160);
-        assertThat(city.description()).anyMatch(line -> line.contains("160 solids had no floor, which was added"));
+        assertThat(city.description()).anyMatch(line -> line.contains("160 solids had no floors, which were added"));
         assertThat(city.warnings()).noneMatch(line -> line.contains("is not closed"));
         assertThat(city.warnings()).noneMatch(line -> line.contains("crosses itself"));
         assertThat(openSides(city.mesh())).isEmpty();

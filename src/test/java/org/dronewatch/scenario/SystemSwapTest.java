@@ -114,7 +114,7 @@ class SystemSwapTest {
                                 "gate-radar: {use: blighter-a400, position: [0, 0, 9]}")
                         .set("sensors.gate", "liteye")
                         .settings())
-                .withMessage("--set sensors.gate=liteye: the scene has a sensor 'gate-radar' already");
+                .withMessage("--set sensors.gate=liteye: the scene already has a sensor 'gate-radar'");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> scene(
                                 SENTRY, "eye: {kind: camera, position: [0, 0, 9], positioner: {cues: [gate-camera]}}")

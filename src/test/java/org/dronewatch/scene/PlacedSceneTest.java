@@ -235,7 +235,7 @@ class PlacedSceneTest {
         assertThat(refusal(own.replace("feature: gate, above", "feature: gaet, above")))
                 .contains("sensors.eye.position: feature 'gaet': there is none in site.geojson; closest match: gate");
         assertThat(refusal(named.replace("other.geojson, above", "../other.geojson, above")))
-                .contains("leads out of the directory");
+                .contains("must be a relative path to a file in the directory of this file");
         Files.writeString(directory.resolve("site.geojson"), "{");
         assertThat(refusal(own)).contains("site.geojson:1: not valid JSON");
     }

@@ -292,7 +292,9 @@ class ViewerPaneTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> FilmExport.film(viewed, "0", "9.5", "25", "1"))
                 .withMessageContaining("only 9.00 s have been simulated");
-        assertThatIllegalArgumentException().isThrownBy(() -> FilmExport.film(viewed, "0", "soon", "25", "1"));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> FilmExport.film(viewed, "0", "soon", "25", "1"))
+                .withMessage("end time 'soon': must be a number");
     }
 
     private List<Path> files() throws IOException {

@@ -49,7 +49,7 @@ public final class SiteView {
     @Option(
             names = "--focus",
             paramLabel = "ID",
-            description = "Sensor or drone on which a picture of the site is centred and zoomed in.")
+            description = "Sensor or drone to centre a picture of the site on, zoomed in.")
     private String focus;
 
     @Option(

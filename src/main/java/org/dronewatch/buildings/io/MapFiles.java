@@ -131,7 +131,7 @@ public final class MapFiles {
                     + ": is not OpenStreetMap XML, OpenStreetMap PBF, GeoJSON or CityJSON; 'ogr2ogr buildings.geojson "
                     + shortName(name) + "' converts most other formats");
         } catch (EOFException e) {
-            throw new InputException(name + ": ends too early: it is cut off or damaged", e);
+            throw new InputException(name + ": ends too early: it is truncated or damaged", e);
         } catch (IOException e) {
             throw new InputException(name + ": cannot be read: " + PlainText.line(String.valueOf(e.getMessage())), e);
         }
@@ -149,7 +149,7 @@ public final class MapFiles {
             return isJson(startText(start(source(name))))
                     && read(name, source(name), NOWHERE, true).system().isUnknown();
         } catch (EOFException e) {
-            throw new InputException(name + ": ends too early: it is cut off or damaged", e);
+            throw new InputException(name + ": ends too early: it is truncated or damaged", e);
         } catch (IOException e) {
             throw new InputException(name + ": cannot be read: " + PlainText.line(String.valueOf(e.getMessage())), e);
         }

@@ -11,7 +11,7 @@ public enum CampaignQuantity {
     /** 1 in a case with an alert, otherwise 0. */
     ALERTED("alert", ""),
     /** 1 in a case with an alert in time, otherwise 0. */
-    IN_TIME("alert in time", "");
+    IN_TIME("timeliness of the alert", "");
 
     private final String words;
     private final String unit;

@@ -46,7 +46,7 @@ public final class GltfReader implements MeshReader {
             Parts parts = parts(file, collector.budget());
             return new GltfScene(file, parts.root(), parts.binary(), collector).read();
         } catch (EOFException e) {
-            throw new InputException(file.name() + ": ends too early: it is cut off or damaged", e);
+            throw new InputException(file.name() + ": ends too early: it is truncated or damaged", e);
         } catch (IOException e) {
             throw new InputException("model file " + file.name() + " cannot be read: " + e.getMessage(), e);
         }

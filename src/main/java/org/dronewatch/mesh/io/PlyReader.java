@@ -69,7 +69,7 @@ public final class PlyReader implements MeshReader {
                 throw new InputException(file.name() + ": has no faces: a point cloud is not a mesh");
             }
         } catch (EOFException e) {
-            throw new InputException(file.name() + ": ends too early: it is cut off or damaged", e);
+            throw new InputException(file.name() + ": ends too early: it is truncated or damaged", e);
         } catch (IOException e) {
             throw new InputException("model file " + file.name() + " cannot be read: " + e.getMessage(), e);
         }

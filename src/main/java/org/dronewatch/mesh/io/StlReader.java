@@ -50,7 +50,7 @@ public final class StlReader implements MeshReader {
                 readText(file, collector);
             }
         } catch (EOFException e) {
-            throw new InputException(file.name() + ": ends too early: it is cut off or damaged", e);
+            throw new InputException(file.name() + ": ends too early: it is truncated or damaged", e);
         } catch (IOException e) {
             throw new InputException("model file " + file.name() + " cannot be read: " + e.getMessage(), e);
         }
@@ -99,7 +99,7 @@ public final class StlReader implements MeshReader {
             if (file.size() < needed) {
                 throw new InputException(String.format(
                         Locale.ROOT,
-                        "%s: states %s, which would take %,d bytes, but has %,d: not STL, or cut off",
+                        "%s: states %s, which would take %,d bytes, but has %,d: not STL, or truncated",
                         file.name(),
                         Counted.of(facets, "facet"),
                         needed,
@@ -167,7 +167,7 @@ public final class StlReader implements MeshReader {
             }
         }
         if (count != 0 || !hasEnded) {
-            throw new InputException(file.name() + ": ends without 'endsolid': it is cut off or damaged");
+            throw new InputException(file.name() + ": ends without 'endsolid': it is truncated or damaged");
         }
     }
 

@@ -111,7 +111,7 @@ final class CandidatesOnSite {
     /** The sensor on each of its positioners. */
     private void turning(String name, OfferSettings offer, String number, Position place) {
         if (!offer.positioners().isEmpty() && offer.sensor().values().containsKey("positioner")) {
-            throw new InputException(OFFERS + name + ".positioners: the sensor has a positioner already");
+            throw new InputException(OFFERS + name + ".positioners: the sensor already has a positioner");
         }
         offer.positioners().forEach((mount, choice) -> {
             Node.Mapping mounted = offer.sensor()

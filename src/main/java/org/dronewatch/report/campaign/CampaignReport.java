@@ -62,7 +62,7 @@ final class CampaignReport {
         page.section("Warning time and range", tables.quantiles());
         Optional<String> deciding = pairs.html();
         if (deciding.isPresent()) {
-            page.section("What decides between them", deciding.get());
+            page.section("What decides between the variants", deciding.get());
             Optional<VariantComparison> best = pairs.best();
             if (best.isPresent()) {
                 page.add(new DecidingCases(plan, command, pictures).html(best.get()));

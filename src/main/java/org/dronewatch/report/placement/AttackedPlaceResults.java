@@ -78,7 +78,7 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
      * @param layout the file of the layout, as a word of a command line
      */
     public String sentence(String layout) {
-        return "This command gives the same figures of the attacks, and the deciding cases: dronewatch compare "
+        return "This command gives the same figures for the attacks, and the deciding cases: dronewatch compare "
                 + layout + " " + again;
     }
 }

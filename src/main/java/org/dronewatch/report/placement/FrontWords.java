@@ -82,11 +82,15 @@ final class FrontWords {
     private List<String> unanswered(TriedBudgets tried, DoubleFunction<String> money) {
         List<String> sentences = new ArrayList<>();
         if (!tried.infeasible().isEmpty()) {
-            sentences.add("No layout meets the conditions for these budgets, which were also tried: "
+            sentences.add("No layout meets the conditions for "
+                    + (tried.infeasible().size() == 1
+                            ? "this budget, which was also tried: "
+                            : "these budgets, which were also tried: ")
                     + list(tried.infeasible(), money) + ".");
         }
         if (!tried.unknown().isEmpty()) {
-            sentences.add("The search ended before it found a layout for these budgets"
+            sentences.add("The search ended before it found a layout for "
+                    + (tried.unknown().size() == 1 ? "this budget" : "these budgets")
                     + (hasConditions ? ", so it is not known whether one meets the conditions" : "")
                     + ": " + list(tried.unknown(), money) + ".");
         }

@@ -149,14 +149,14 @@ final class PlaceReport {
     private String order() {
         return switch (best.buyingRule()) {
             case MOST_ADDED ->
-                "The sensors are listed in the order in which to buy them: at each step, the one that adds most for"
+                "The sensors are listed in order of purchase: at each step, the one that adds most for"
                         + " its price. ";
             case LEAST_LOST ->
-                "The sensors are listed in the order in which to buy them. Since several must detect the drone, the"
+                "The sensors are listed in order of purchase. Since several must detect the drone, the"
                         + " order was found backwards: at each step, the sensor that contributes least per unit of"
                         + " price was left out. ";
             case BEST_LEFT ->
-                "The sensors are listed in the order in which to buy them. Since only the worst case counts, which the"
+                "The sensors are listed in order of purchase. Since only the worst case counts, which the"
                         + " first sensors may not improve, the order was found backwards: at each step, the sensor"
                         + " whose removal worsens the result least was left out; in a tie, the one that contributes least over all"
                         + " cases per unit of price. ";

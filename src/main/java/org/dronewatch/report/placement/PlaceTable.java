@@ -40,7 +40,7 @@ final class PlaceTable {
         List<String> lines = new ArrayList<>();
         lines.add("best layout from " + candidates()
                 + " for a budget of " + amount(layout.plan().settings().budget(), layout.plan()) + measure.purpose()
-                + ", in the order in which to buy:");
+                + ", in order of purchase:");
         lines.add(text(ROW, "sensor", "kind", "position [m]", "azimuth", "cost", "sum", "alone", "together"));
         for (SiteCandidate sensor : unordered()) {
             lines.add(row(sensor, sensor.candidate().fixed() ? "kept" : cost(sensor), NONE, NONE));

@@ -78,7 +78,7 @@ public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<
     @Override
     public List<String> reproduction(String layout) {
         return warnings.stream()
-                .map(its -> "This command gives these warnings of the layout: dronewatch coverage " + layout + " "
+                .map(its -> "This command gives these warning times for the layout: dronewatch coverage " + layout + " "
                         + SameCoverage.options(best()))
                 .toList();
     }

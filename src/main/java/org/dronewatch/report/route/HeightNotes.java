@@ -32,9 +32,9 @@ record HeightNotes(RouteInputs inputs) {
                 .toList();
         return routes.isEmpty() || inputs.launch().isPresent()
                 ? Optional.empty()
-                : Optional.of("On " + RouteDirections.routes(routes) + ", the drone begins more than "
-                        + number(OPEN_AIR) + " m above the ground at the edge of the area. What sensors detect of it"
-                        + " farther out does not count; to count it, try a larger --side.");
+                : Optional.of("On " + RouteDirections.routes(routes) + ", the drone starts more than "
+                        + number(OPEN_AIR) + " m above the ground at the edge of the area. Detections farther out"
+                        + " do not count; to count them, try a larger --side.");
     }
 
     /** Up to which height routes are searched for; empty if that is the drone's ceiling. */

@@ -130,7 +130,7 @@ final class RouteNotes {
                 ? Optional.empty()
                 : Optional.of("no detection can be in time"
                         + (routes.size() == survey.routes().size()
-                                ? ", because each route takes "
+                                ? ", because " + (routes.size() == 1 ? "the" : "each") + " route takes "
                                 : " on " + RouteDirections.routes(routes) + ", which "
                                         + (routes.size() == 1 ? "takes " : "take "))
                         + RouteNumbers.seconds(longest) + (routes.size() == 1 ? "" : " at most")

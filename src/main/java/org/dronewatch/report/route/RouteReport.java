@@ -89,7 +89,7 @@ final class RouteReport {
                                         + " where the times of the flight and of the response vary by 30 %"
                                 : "")
                         + (ModeWords.areSlow(survey)
-                                ? "; 'slow' is for how long the drone flies at "
+                                ? "; 'slow' is how long the drone flies at "
                                         + ModeWords.slowSpeeds(survey)
                                         + ", which a radar rejects"
                                 : "")

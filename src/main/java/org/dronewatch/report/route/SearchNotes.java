@@ -179,8 +179,8 @@ final class SearchNotes {
         return between.unseen() == 0
                 ? Optional.empty()
                 : Optional.of("At " + number(between.unseen()) + " of " + number(between.tried())
-                        + " places tried between cell centres, no sensor detects the drone, although all cells"
-                        + " around the place are covered. Passages narrower than a cell, which the search cannot find,"
+                        + " places tried between cell centres, no sensor detects the drone, although all"
+                        + " surrounding cells are covered. Passages narrower than a cell, which the search cannot find,"
                         + " may lead through such places, and a route along one may be less exposed than the lower bound; to look for passages, try "
                         + finer()
                         + ".");

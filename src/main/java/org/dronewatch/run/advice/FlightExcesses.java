@@ -36,7 +36,7 @@ final class FlightExcesses {
         turn = new GreatestExcess("turns at", Quantity.ANGULAR_SPEED, limits.turnRate());
         height = new GreatestExcess("is at a height of", Quantity.LENGTH, limits.ceiling());
         endurance = new GreatestExcess("has flown under power for", Quantity.DURATION, limits.endurance());
-        glide = new GreatestExcess("glides with a ratio of", Quantity.NUMBER, limits.glideRatio());
+        glide = new GreatestExcess("has a glide ratio of", Quantity.NUMBER, limits.glideRatio());
         hover = new GreatestExcess("hovers for", Quantity.DURATION, limits.hover() ? Double.POSITIVE_INFINITY : 0.0);
     }
 

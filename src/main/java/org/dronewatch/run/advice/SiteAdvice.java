@@ -45,7 +45,7 @@ public record SiteAdvice(SceneSettings settings, World world) {
             settings.drones().forEach((id, drone) -> new SoundAdvice(id, drone).giveTo(target));
         }
         if (!settings.world().noiseSources().isEmpty() && !isListening()) {
-            target.accept("world.noiseSources has no effect: no sensor that hears sound is switched on");
+            target.accept("world.noiseSources has no effect: no acoustic sensor is switched on");
         }
         if (isListening()) {
             settings.world().noiseSources().forEach((id, source) -> onNoiseSource(id, source, target));

@@ -14,7 +14,7 @@ import org.dronewatch.setting.SettingsForm;
  *     water (ITU-R P.527)
  * @param conductivity conductivity, 0 to 100 S/m: 0.001 for medium dry, 0.01 for wet ground, 5 for sea water
  * @param roughness standard deviation of the heights relative to the mesh, 0 to 100 m
- * @param roundEarth whether the surface is curved with 4/3 of the earth's radius, which spreads the reflected wave; the
+ * @param roundEarth whether the surface is a sphere of 4/3 of the earth's radius, which spreads the reflected wave; the
  *     meshes of the site stay as they are
  */
 public record ReflectingGround(

@@ -54,7 +54,7 @@ final class FileNames {
             return "is not a path: " + e.getReason();
         }
         if (Path.of(name).isAbsolute() || !file.startsWith(directory)) {
-            return "leads out of the directory of this file, " + directory + ": keep such files in it or below it";
+            return "must be a relative path to a file in the directory of this file, " + directory + ", or below it";
         }
         return Files.exists(file) ? RegularFile.obstacle(file) : "does not exist in " + file.getParent();
     }

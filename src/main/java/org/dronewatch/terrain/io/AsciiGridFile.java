@@ -53,7 +53,7 @@ final class AsciiGridFile implements ElevationFile {
         if (2L * columns * rows > bytes.size() + 1) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: states %d x %d posts, but has only %,d bytes: it is cut off or damaged",
+                    "%s: states %d x %d posts, but has only %,d bytes: it is truncated or damaged",
                     bytes.name(),
                     columns,
                     rows,

@@ -114,7 +114,7 @@ public final class ElevationFiles {
     /** The exception for a file that cannot be read, in one line. */
     public static InputException unreadable(String name, IOException problem) {
         if (problem instanceof EOFException) {
-            return new InputException(name + ": ends too early: it is cut off or damaged", problem);
+            return new InputException(name + ": ends too early: it is truncated or damaged", problem);
         }
         return new InputException(name + ": cannot be read: " + problem.getMessage(), problem);
     }

@@ -259,7 +259,7 @@ final class GeoTiffFile implements ElevationFile {
         if (offsets[number] < 0 || offsets[number] > bytes.size() - lengths[number]) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: %s of %,d bytes at byte %,d ends beyond the file's %,d bytes: it is cut off or damaged",
+                    "%s: %s of %,d bytes at byte %,d ends beyond the file's %,d bytes: it is truncated or damaged",
                     bytes.name(),
                     what,
                     lengths[number],

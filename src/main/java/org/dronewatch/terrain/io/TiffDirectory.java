@@ -117,7 +117,7 @@ final class TiffDirectory {
         } catch (EOFException e) {
             throw new InputException(
                     bytes.name() + ": the values of tag " + number + " lie beyond its end, at byte " + bytes.size()
-                            + ": it is cut off or damaged",
+                            + ": it is truncated or damaged",
                     e);
         }
     }

@@ -38,7 +38,7 @@ public final class ComparisonPanel extends JPanel {
     private static final String NOTHING = "nothing";
     private static final String HOW =
             "There is no other run yet. Change a sensor and press Run again in the Settings tab, "
-                    + "show a scene with a sweep, or start with 'view SCENE --beside OTHER'.";
+                    + "open a scene with a sweep, or start with 'view SCENE --beside OTHER'.";
 
     private final JComboBox<Object> choice = new JComboBox<>(new Object[] {NOTHING});
     private final JCheckBox beside = new JCheckBox("Show it beside this run");

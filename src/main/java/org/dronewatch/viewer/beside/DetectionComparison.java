@@ -58,7 +58,7 @@ record DetectionComparison(String drone, Optional<String> sensor, Side here, Sid
     /** How the run that is shown differs from the other; empty as long as it is not known. */
     String difference() {
         if (!here.exists() || !there.exists()) {
-            return here.exists() ? "only this" : "only other";
+            return here.exists() ? "this run only" : "other run only";
         }
         if (here.first().isPresent() && there.first().isPresent()) {
             double later = here.first().get().arrival() - there.first().get().arrival();

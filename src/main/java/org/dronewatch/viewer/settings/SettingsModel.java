@@ -121,7 +121,7 @@ final class SettingsModel extends TitledTable {
                 layout.remember();
                 layout.set(id, after);
                 messages.accept("'" + id + "': " + row.path() + " is now " + typed + " instead of " + row.value()
-                        + "; the run that is shown is still that of the scene as it was");
+                        + "; the displayed run does not include this change");
             }
         } catch (InputException | IllegalArgumentException e) {
             String reason = e.getMessage().replace(row.path() + "=" + typed + ": ", "");

@@ -205,7 +205,8 @@ class ModelFormatsTest {
         assertWedge(load("wedge.stl", Arrays.copyOf(whole, whole.length + 7)), 12.0, 4, 3, 2);
         assertThatThrownBy(() -> load("wedge.stl", Arrays.copyOf(whole, whole.length - 1)))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("states 8 facets, which would take 484 bytes, but has 483: not STL, or cut off");
+                .hasMessageContaining(
+                        "states 8 facets, which would take 484 bytes, but has 483: not STL, or truncated");
     }
 
     @Test
@@ -405,7 +406,7 @@ class ModelFormatsTest {
                 "a.stl | solid a%nendloop%n | a.stl:2: a facet has 0 corners but needs 3",
                 "a.stl | solid a%nblob%n | a.stl:2: unknown keyword 'blob'",
                 "a.stl | solid a%nvertex 1 2 NaN%n | a.stl:2: a coordinate must be finite, not NaN",
-                "a.stl | solid a%nfacet normal 0 0 1%nvertex 1 2 3%n | ends without 'endsolid': it is cut off",
+                "a.stl | solid a%nfacet normal 0 0 1%nvertex 1 2 3%n | ends without 'endsolid': it is truncated",
                 "a.stl | abc | ends too early",
                 "a.ply | ply%nformat ascii 1.0%nelement vertex 1%nproperty float x%nproperty float y%nproperty float z%nend_header%n0 1 0.00000000000000000000000000000000000000000000000000000000000000000000001%n | a number of more than 64 characters",
                 "a.ply | ply%nformat binary 1.0%n | a.ply:2: format must be ascii, binary_little_endian",

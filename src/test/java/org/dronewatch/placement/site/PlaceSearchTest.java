@@ -320,7 +320,7 @@ class PlaceSearchTest {
 
         assertThatThrownBy(() -> PlacePlan.read(file, runner -> {}, note -> {}))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("candidates.eye.positioners: the sensor has a positioner already");
+                .hasMessageContaining("candidates.eye.positioners: the sensor already has a positioner");
     }
 
     /** The sensor that is kept stands where the first radar would. */

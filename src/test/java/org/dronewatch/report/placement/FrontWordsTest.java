@@ -26,9 +26,9 @@ class FrontWordsTest {
         TriedBudgets tried = new TriedBudgets(3, List.of(), List.of(5.0), true);
 
         assertThat(new FrontWords(MEASURE, false).tried(tried, PlaceWords::money))
-                .containsExactly("The search ended before it found a layout for these budgets: 5.");
+                .containsExactly("The search ended before it found a layout for this budget: 5.");
         assertThat(new FrontWords(MEASURE, true).tried(tried, PlaceWords::money))
-                .containsExactly("The search ended before it found a layout for these budgets, so it is not known"
+                .containsExactly("The search ended before it found a layout for this budget, so it is not known"
                         + " whether one meets the conditions: 5.");
     }
 

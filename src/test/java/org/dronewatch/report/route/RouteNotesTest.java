@@ -160,8 +160,7 @@ class RouteNotesTest extends RouteSamples {
                 .contains("no detection can be in time on the route from the east, which takes 10 s, whereas the"
                         + " response takes 15 s");
         assertThat(new RouteNotes(inputs).warnings(nearAlone).get(0))
-                .contains(
-                        "no detection can be in time, because each route takes 10 s, whereas the response takes 15 s");
+                .contains("no detection can be in time, because the route takes 10 s, whereas the response takes 15 s");
     }
 
     /** Slow looks detect less than the search expects, so that they are no reason why it expects nothing. */

@@ -75,7 +75,7 @@ class FlightAdviceTest {
     void whatGlidesTooFlatIsNamed() {
         FlightPath flat = straight(new Position(0, 10, -0.5), OptionalDouble.of(1.0));
         assertThat(advice(FlightPerformance.TYPICAL.withGlide(12.0, 10.0), Ground.NONE, 4.0, flat))
-                .containsExactly("drone 'd' glides with a ratio of 20 at 0.0 s, at (0.0, 0.0, 100.0) m:"
+                .containsExactly("drone 'd' has a glide ratio of 20 at 0.0 s, at (0.0, 0.0, 100.0) m:"
                         + " its performance allows 12");
         assertThat(advice(FlightPerformance.TYPICAL, Ground.NONE, 4.0, flat))
                 .as("a multirotor does not glide")

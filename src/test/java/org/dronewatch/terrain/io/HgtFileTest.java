@@ -95,8 +95,8 @@ class HgtFileTest {
         refused("none.zip", zipped("readme.txt"), "has no .hgt file");
         refused("two.zip", zipped("N43E007.hgt", "N43E008.hgt"), "several .hgt files");
         byte[] whole = zipped("N43E007.hgt");
-        refused("cut.zip", java.util.Arrays.copyOf(whole, whole.length / 2), "cut off or damaged");
-        refused("N43E007.hgt.gz", new byte[] {0x1F, (byte) 0x8B, 8, 0, 0, 0, 0, 0, 0, 0, 1, 2}, "cut off or damaged");
+        refused("cut.zip", java.util.Arrays.copyOf(whole, whole.length / 2), "truncated or damaged");
+        refused("N43E007.hgt.gz", new byte[] {0x1F, (byte) 0x8B, 8, 0, 0, 0, 0, 0, 0, 0, 1, 2}, "truncated or damaged");
     }
 
     /** 200 MB in a few hundred kilobytes: no more is unpacked than the largest tile has. */

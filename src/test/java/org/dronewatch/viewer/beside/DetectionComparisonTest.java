@@ -71,9 +71,9 @@ class DetectionComparisonTest {
     void aSensorThatIsSwitchedOffIsNotThere() {
         RecordedRun both = run(true, "sensors.microphone.enabled=true");
         List<Object> microphone = rows(run(true), both, 0.5).get(2);
-        assertThat(microphone).containsExactly("microphone", "absent", "0.00 s", "only other", "other");
+        assertThat(microphone).containsExactly("microphone", "absent", "0.00 s", "other run only", "other");
         assertThat(rows(both, run(true), 0.5).get(2))
-                .containsExactly("microphone", "0.00 s", "absent", "only this", "this");
+                .containsExactly("microphone", "0.00 s", "absent", "this run only", "this");
         assertThat(ChangedSettings.text(both.info().settings(), run(true).info().settings()))
                 .isEqualTo("Sensors that differ: 'microphone' on (other run: off).");
     }

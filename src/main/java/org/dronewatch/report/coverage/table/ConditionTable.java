@@ -24,10 +24,12 @@ public final class ConditionTable {
                 + " under each condition, in % of the known cells:");
         addRows(lines, conditions, height -> percent(height, height.summary().covered()));
         lines.add("");
-        lines.add("covered in the scene as it is, but not under the condition, in % of its known cells:");
+        lines.add("covered in the scene as it is, but not under the condition, in % of the cells known in the scene"
+                + " as it is:");
         addRows(lines, conditions.subList(1, conditions.size()), ConditionTable::lost);
         lines.add("");
-        lines.add("sensor that covers most under each condition, and the % of the known cells that it covers:");
+        lines.add("sensor that covers most under each condition, and the percentage of the known cells that it"
+                + " covers:");
         addRows(lines, conditions, ConditionTable::best);
         lines.add("");
         conditions.subList(1, conditions.size()).forEach(one -> lines.add(words(conditions.get(0), one)));

@@ -12,7 +12,7 @@ public final class MoveWords {
         /** One cell in each block of cells. */
         COARSE("coarse", " This is a coarse picture; finer ones follow."),
         /** All cells along the borders of what is covered. */
-        FINE("fine", " Cells are exact along the borders of what is covered; the rest follows."),
+        FINE("fine", " Cells along the borders of what is covered are exact; the rest will follow."),
         /** All cells. */
         COMPLETE("complete", "");
 

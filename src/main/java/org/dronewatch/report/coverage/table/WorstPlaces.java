@@ -67,9 +67,9 @@ public final class WorstPlaces {
         html.append(Html.plain(
                 "p",
                 "Signals and obstacles are stated for the height at which a gap is largest. For radars, radio receivers"
-                        + " and microphones, the strongest and the weakest signal are those in all cells of the gap"
-                        + " whose signal was computed and not only bounded; other signals, and the obstacles, are those in"
-                        + " up to " + GapEvidence.MOST_SPREAD
+                        + " and microphones, the strongest and the weakest signal are taken from all cells of the gap"
+                        + " whose signal was computed, not merely bounded; other signals, and the obstacles, are taken"
+                        + " from up to " + GapEvidence.MOST_SPREAD
                         + " cells for each sensor and cause, spread evenly over the gap."));
         return html.toString();
     }
