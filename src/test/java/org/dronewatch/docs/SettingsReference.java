@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
@@ -141,13 +142,17 @@ final class SettingsReference {
         return names == null ? "" : " (formerly `" + String.join("`, `", names.value()) + "`)";
     }
 
-    /** The range of an angle stands in its column, in degrees: what the source says of it in radians is left out. */
+    /**
+     * What has a column of its own is left out: a unit at the end, and the range of an angle in radians, which the
+     * column gives in degrees.
+     */
     private static String described(String text, Quantity quantity) {
         boolean turned = quantity == Quantity.ANGLE || quantity == Quantity.ANGULAR_SPEED;
-        return (turned
-                        ? text.replaceFirst("(, (above 0|-?\\d* ?pi|[\\d.]+ (to|degrees))[^,]*)?,? rad(/s)?$", "")
-                        : text)
-                .replace("|", "\\|");
+        String unit = quantity.unit();
+        String end = turned
+                ? "(, (above 0|-?\\d* ?pi|[\\d.]+ (to|degrees))[^,]*)?,? rad(/s)?$"
+                : unit.isEmpty() ? "$" : ", " + Pattern.quote(unit) + "$";
+        return text.replaceFirst(end, "").replace("|", "\\|");
     }
 
     /** What may stand there that is no number; what has parts of its own follows later on the page. */

@@ -70,9 +70,9 @@ final class ZoneTable {
         return Html.plain(
                         "p",
                         "Cells in these zones are given more or less weight than all others; a cell that lies in several"
-                                + " of them has the greatest of their weights. The fractions of the airspace in this report are weighted, those of"
-                                + " a zone are not: each cell counts the same, in % of the cells of the zone" + average
-                                + ".")
+                                + " of them has the greatest of their weights. The fractions of the airspace in this"
+                                + " report are weighted. The figures in this table are not: each is a percentage of the"
+                                + " cells of its zone, all of which count the same" + average + ".")
                 + Html.table(HEAD, rows());
     }
 
