@@ -63,7 +63,7 @@ public final class AcousticRange extends Scene {
     @Override
     public Optional<SweepAxis> sweepAxis() {
         return Optional.of(new SweepAxis(
-                "level of the drone over the background [dB]",
+                "level of the drone above the background [dB]",
                 settings -> loudness(settings) - settings.world().backgroundNoise()));
     }
 

@@ -137,7 +137,7 @@ class PlaceCandidatesTest {
 
         assertThat(outcome.code()).isEqualTo(2);
         assertThat(outcome.err())
-                .contains("no cell in which the drone can be; the square is centred on 50000, 90 m, the mean position"
+                .contains("no cell that the drone can enter; the square is centred on 50000, 90 m, the mean position"
                         + " of the candidates: is a place outside the site?");
     }
 

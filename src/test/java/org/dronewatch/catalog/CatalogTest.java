@@ -169,7 +169,7 @@ class CatalogTest {
                 .as("first detected: %s", met)
                 .isCloseTo(range.distance(), within(0.05 * range.distance()));
         assertThat(seen.get(0).isDetected())
-                .as("an instrumented limit alone is no promise: %s", seen.get(0))
+                .as("an instrumented range alone is no promise: %s", seen.get(0))
                 .isFalse();
         assertThat(seen.get(0).value()).as("measured before it is detected").isFinite();
         assertThat(met.unit()).as("0.9 of it means 0.9 dB").startsWith("dB");

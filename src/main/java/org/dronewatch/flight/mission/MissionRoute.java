@@ -143,7 +143,7 @@ final class MissionRoute {
     private EarthPoint home(String where) {
         return plan.home()
                 .orElseThrow(() -> new IllegalArgumentException(
-                        at(where) + "needs mission.plannedHomePosition, the launch of the plan"));
+                        at(where) + "needs mission.plannedHomePosition, the launch position"));
     }
 
     private Position onSurface(EarthPoint point) {
@@ -185,16 +185,16 @@ final class MissionRoute {
     private double foundLaunchHeight() {
         EarthPoint home = plan.home()
                 .orElseThrow(() ->
-                        new IllegalArgumentException("heights above the launch need mission.plannedHomePosition"));
+                        new IllegalArgumentException("heights above the launch position need mission.plannedHomePosition"));
         OptionalDouble ground = places.surface(home.latitude(), home.longitude());
         OptionalDouble planned = places.heightsAreKnown() ? plan.homeHeight() : OptionalDouble.empty();
         if (ground.isEmpty()) {
             double height = planned.orElseThrow(() ->
                     new IllegalArgumentException("no surface at " + Places.inWords(home.latitude(), home.longitude())
-                            + ", the launch, from which its height is measured: the site has a hole or ends there"));
+                            + ", the launch position, from which its height is measured: the site has a hole or ends there"));
             warnings.accept(String.format(
                     Locale.ROOT,
-                    "%s: the launch lies where the site has a hole or ends: heights are measured from %.1f m above sea level, as the plan states",
+                    "%s: the launch position is in a hole of the site or beyond its edge: heights are measured from %.1f m above sea level, as the plan states",
                     settings.plan(),
                     height));
             return height;
@@ -202,7 +202,7 @@ final class MissionRoute {
         if (planned.isPresent() && Math.abs(planned.getAsDouble() - ground.getAsDouble()) > ODD) {
             warnings.accept(String.format(
                     Locale.ROOT,
-                    "%s: the launch is %.1f m above sea level in the plan, %.1f m on the site: heights are measured from the site",
+                    "%s: the launch position is %.1f m above sea level in the plan, %.1f m on the site: heights are measured from the site",
                     settings.plan(),
                     planned.getAsDouble(),
                     ground.getAsDouble()));

@@ -60,7 +60,7 @@ record PlanNumbers(String name) {
         MissionStep.Frame frame = FRAMES.get(item.path("frame").asInt(-1));
         if (frame == null) {
             throw new InputException(name + ": " + where + ".frame: " + PlainText.value(item.path("frame"))
-                    + " must be 0, 3 or 10: heights above sea level, above the launch, or above the ground");
+                    + " must be 0, 3 or 10: heights above sea level, above the launch position, or above the ground");
         }
         return new MissionStep.Height(frame, number(params.get(6), where, "height", -HIGHEST, HIGHEST));
     }

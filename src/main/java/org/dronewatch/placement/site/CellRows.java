@@ -102,7 +102,7 @@ final class CellRows {
         }
         if (count == 0) {
             String middle = Math.round(grid.east()) + ", " + Math.round(grid.north());
-            throw new InputException("air: there is no cell in which the drone can be"
+            throw new InputException("air: there is no cell that the drone can enter"
                     + (air.area().isEmpty()
                             ? "; the square is centred on " + middle + " m, the mean position of the candidates: is a"
                                     + " place outside the site?"

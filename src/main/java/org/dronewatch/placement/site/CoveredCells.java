@@ -168,7 +168,7 @@ public final class CoveredCells {
                 sum += weights[at];
             }
             if (sum == 0.0) {
-                throw weightless("all cells in which the drone can be");
+                throw weightless("all cells that the drone can enter");
             }
             for (int end = row + rows.size(); row < end; row++) {
                 weights[row] *= size() / sum;

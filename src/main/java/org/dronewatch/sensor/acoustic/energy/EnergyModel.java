@@ -192,8 +192,8 @@ public record EnergyModel(
     public String measures() {
         return switch (criterion) {
             case A_WEIGHTED -> "A-weighted sound level";
-            case BEST_BAND -> "level over the background in the best band";
-            case NARROW_BAND -> "level over the background in the band of the best tone";
+            case BEST_BAND -> "level above the background in the best band";
+            case NARROW_BAND -> "level above the background in the band of the best tone";
         };
     }
 
