@@ -149,7 +149,8 @@ public record DroneSettings(
                 && !name.equals(DroneSounds.SMALL_QUADROTOR)
                 && DroneSounds.find(name).isPresent()) {
             throw new IllegalArgumentException("spectrum and sound '" + name
-                    + "' are mutually exclusive, since the table has a spectrum of that name: omit one of them");
+                    + "' are mutually exclusive, since the library's table has a spectrum of that name:"
+                    + " omit one of them");
         }
         try {
             if (!own) {

@@ -52,8 +52,8 @@ public record RotorTones(
         for (int band = 0; band < inOctave.length; band++) {
             if (inOctave[band] > 1.0 + ROUNDING) {
                 throw new IllegalArgumentException(
-                        "shares of the lines in the octave band at " + OctaveBands.nominal(band) + " Hz are "
-                                + Quantity.RATIO.inBrief(inOctave[band]) + " together but must be at most 1");
+                        "shares of the tones in the octave band at " + OctaveBands.nominal(band) + " Hz add up to "
+                                + Quantity.RATIO.inBrief(inOctave[band]) + " but must add up to at most 1");
             }
         }
     }

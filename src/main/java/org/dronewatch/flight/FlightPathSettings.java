@@ -176,7 +176,7 @@ public interface FlightPathSettings {
             Limits.check(Glide.class, from, release, to);
             Check.atLeast("distance from 'from' to 'release'", from.distance(release), SHORTEST, Quantity.LENGTH);
             double drop =
-                    Check.atLeast("height of 'release' over 'to'", release.z() - to.z(), SHORTEST, Quantity.LENGTH);
+                    Check.atLeast("height of 'release' above 'to'", release.z() - to.z(), SHORTEST, Quantity.LENGTH);
             double ratio = Math.hypot(to.x() - release.x(), to.y() - release.y()) / drop;
             if (ratio > FLATTEST) {
                 throw new IllegalArgumentException(

@@ -23,7 +23,7 @@ public record ZoomSettings(
         Limits.check(ZoomSettings.class, cued, tracked, time);
         if (tracked > cued) {
             throw new IllegalArgumentException("tracked " + Quantity.ANGLE.inWords(tracked) + " must be at most cued "
-                    + Quantity.ANGLE.inWords(cued) + ": it zooms in");
+                    + Quantity.ANGLE.inWords(cued) + ": the camera zooms in on the drone that it tracks");
         }
     }
 

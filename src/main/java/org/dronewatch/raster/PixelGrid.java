@@ -27,7 +27,7 @@ final class PixelGrid {
         crossTo(corner, right, 6);
         double determinant = corner[0] * toGrid[0] + corner[1] * toGrid[1] + corner[2] * toGrid[2];
         if (!(Math.abs(determinant) > 0.0)) {
-            throw new IllegalArgumentException("an image whose corner, right and down lie in one plane");
+            throw new IllegalArgumentException("corner, right and down of an image must not lie in one plane");
         }
         for (int i = 0; i < 9; i++) {
             toGrid[i] /= determinant;

@@ -56,7 +56,9 @@ public final class FormerNames {
 
     private static String line(Renamed setting, Set<String> where) {
         int others = where.size() - 1;
-        String more = others == 0 ? "" : " (and in " + others + (others == 1 ? " other place)" : " other places)");
+        String more = others == 0
+                ? ""
+                : " (the former name is also used in " + others + (others == 1 ? " other place)" : " other places)");
         return where.iterator().next() + ": setting '" + setting.former() + "' is now called '" + setting.current()
                 + "'" + more;
     }

@@ -69,7 +69,7 @@ class OwnSoundRunTest {
     void aSoundOfTheTableBesideASpectrumIsRefused() throws IOException {
         String own = "spectrum: [0, -60, -60, -60, -60, -60, -60, -60]";
         String refusal = "drones.buzzer: spectrum and sound 'petrol-fixed-wing' are mutually exclusive, since the"
-                + " table has a spectrum of that name: omit one of them";
+                + " library's table has a spectrum of that name: omit one of them";
         assertThat(run(own + "\n    sound: petrol-fixed-wing", directory.resolve("both")))
                 .isEqualTo(2);
         assertThat(said.toString().lines()).singleElement().asString().endsWith(refusal);

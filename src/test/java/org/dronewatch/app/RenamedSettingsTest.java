@@ -74,7 +74,8 @@ class RenamedSettingsTest {
                         "warning: " + scene + ":4:5: setting 'otherwise' is now called 'defaultSurface'",
                         "warning: " + scene + ":8:52: setting 'hidden' is now called 'hoverTime'",
                         "warning: " + scene
-                                + ":14:49: setting 'mirrorOrder' is now called 'imageSourceOrder' (and in 2 other places)");
+                                + ":14:49: setting 'mirrorOrder' is now called 'imageSourceOrder'"
+                                + " (the former name is also used in 2 other places)");
 
         Files.writeString(scene, present(SCENE));
         Outcome now = Program.run("run", scene.toString(), "--observations", "--out", directory + "/now");

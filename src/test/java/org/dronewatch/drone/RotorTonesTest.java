@@ -36,7 +36,8 @@ class RotorTonesTest {
         assertThat(new RotorTones(102.5, 2, List.of(1.0, 0.5, 0.5)).lines()).hasSize(3);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new RotorTones(102.5, 2, List.of(1.0, 0.6, 0.5)))
-                .withMessage("shares of the lines in the octave band at 500 Hz are 1.1 together but must be at most 1");
+                .withMessage("shares of the tones in the octave band at 500 Hz add up to 1.1"
+                        + " but must add up to at most 1");
         assertThatIllegalArgumentException().isThrownBy(() -> new RotorTones(102.5, 2, List.of()));
         assertThatIllegalArgumentException().isThrownBy(() -> new RotorTones(102.5, 2, List.of(1.5)));
         assertThatIllegalArgumentException().isThrownBy(() -> RotorTones.of(0.0));

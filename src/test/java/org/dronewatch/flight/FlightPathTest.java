@@ -131,7 +131,7 @@ class FlightPathTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new FlightPathSettings.Glide(from, release, new Position(0, -400, 500)))
-                .withMessageContaining("height of 'release' over 'to'");
+                .withMessageContaining("height of 'release' above 'to'");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new FlightPathSettings.Glide(from, release, new Position(0, -4000, 400)))
                 .withMessageContaining("glide ratio 460.0");

@@ -265,7 +265,8 @@ class PositionerTest {
                 .hasMessage("panSpeed 0 deg/s must be above 0 and at most 600 deg/s");
         assertThatThrownBy(() -> ZoomSettings.of(0, 1)).hasMessageStartingWith("cued 0 deg must be 0.01 to 179 deg");
         assertThatThrownBy(() -> ZoomSettings.of(0.1, 0.2))
-                .hasMessage("tracked 11.45916 deg (0.2 rad) must be at most cued 5.729578 deg (0.1 rad): it zooms in");
+                .hasMessage("tracked 11.45916 deg (0.2 rad) must be at most cued 5.729578 deg (0.1 rad):"
+                        + " the camera zooms in on the drone that it tracks");
         assertThatThrownBy(() -> PositionerSettings.DEFAULT.withCues("a", "a"))
                 .hasMessage("cues [a, a] must not name a sensor twice");
     }

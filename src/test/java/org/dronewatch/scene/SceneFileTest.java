@@ -252,7 +252,7 @@ class SceneFileTest {
                 "run: {seed: 1.5}                               | 2:13: run.seed: '1.5' is not a whole number",
                 "run: [1, 2]                                    | 2:6: run: must not be a list",
                 "run: {duration: 1, duration: 2}                | 2:20: 'duration' is given twice",
-                "run: *nothing                                  | 2:6: alias '*nothing' refers to no anchor",
+                "run: *nothing                                  | 2:6: alias '*nothing' must come after the end of",
                 "run: !!java.net.URL [x]                        | 2:6: tag 'tag:yaml.org,2002:java.net.URL' is"
                         + " not allowed",
                 "drones: {a: {speed: 5}}                        | 2:13: drones.a: needs 'model'",

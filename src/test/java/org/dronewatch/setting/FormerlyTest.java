@@ -71,8 +71,10 @@ class FormerlyTest {
         read("columns: 800\nfellow:\n  columns: 900\n  fellow: {columns: 1000}\n");
         assertThat(used.warnings().values())
                 .containsExactly(
-                        "a.yaml:1:1: setting 'columns' is now called 'width' (and in 2 other places)",
-                        "a.yaml:2:1: setting 'fellow' is now called 'other' (and in 1 other place)");
+                        "a.yaml:1:1: setting 'columns' is now called 'width'"
+                                + " (the former name is also used in 2 other places)",
+                        "a.yaml:2:1: setting 'fellow' is now called 'other'"
+                                + " (the former name is also used in 1 other place)");
     }
 
     @Test

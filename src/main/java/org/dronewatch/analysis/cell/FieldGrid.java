@@ -76,7 +76,7 @@ public record FieldGrid(
         heights = checkedHeights(heights);
         if (Math.rint(side / cell) > MOST_CELLS) {
             throw new IllegalArgumentException("side " + side + " m with cells of " + cell + " m gives "
-                    + (long) Math.rint(side / cell) + " cells: there must be at most " + MOST_CELLS);
+                    + (long) Math.rint(side / cell) + " cells along each side: there must be at most " + MOST_CELLS);
         }
     }
 
@@ -118,8 +118,8 @@ public record FieldGrid(
         for (double height : heights) {
             if (!(height - below >= CLOSEST - ROUNDING) || height > HIGHEST) {
                 throw new IllegalArgumentException("height " + height + " m after " + below
-                        + " m: heights must be in ascending order, each at least 1 mm above the one before and the"
-                        + " ground, and at most " + HIGHEST + " m");
+                        + " m: heights must be in ascending order, each at least 1 mm above the one before it (the"
+                        + " first above the ground), and at most " + HIGHEST + " m");
             }
             below = height;
         }

@@ -146,7 +146,7 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
         int course = coverage.courseAt(height, column, row);
         Assessment assessment = field.assess(sensor, height, column, row, course)
                 .orElseThrow(() ->
-                        new IllegalStateException("no drone can be in cell " + column + ", " + row + " of a gap"));
+                        new IllegalStateException("no drone can enter cell " + column + ", " + row + " of a gap"));
         return new Examined(
                 assessment,
                 assessment

@@ -35,7 +35,7 @@ final class PbfStrings {
     /** A text; the same object each time. */
     String get(long number) throws IOException {
         if (number < 0 || number >= made.length) {
-            throw new IOException("text " + number + " of a block that has " + made.length);
+            throw new IOException("string index " + number + " is not one of the " + made.length + " in its block");
         }
         int index = (int) number;
         if (made[index] == null) {

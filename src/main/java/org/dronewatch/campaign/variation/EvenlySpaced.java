@@ -77,7 +77,7 @@ public record EvenlySpaced(
         double steps = Math.floor(width / distance + ROUNDING);
         if (steps < 1.0) {
             throw new IllegalArgumentException(
-                    "step " + distance + " must be at most " + width + ", the difference between from and to");
+                    "step " + distance + " must be at most " + width + ", the difference between 'from' and 'to'");
         }
         if (steps >= Variation.MOST_VALUES) {
             throw new IllegalArgumentException(

@@ -45,7 +45,7 @@ public record Normal(String mean, String deviation, Optional<String> from, Optio
         Variation.requireOrder("from", low, "to", high);
         if (!Double.isFinite(low) || !Double.isFinite(high)) {
             throw new IllegalArgumentException("mean " + middle + " and deviation " + width
-                    + " give values too large for a number; set smaller ones, or from and to");
+                    + " give values too large for a number; set smaller ones, or set 'from' and 'to'");
         }
         // Beyond the mean, probabilities near 1 have no digits left: the other tail, mirrored, has them all.
         boolean isMirrored = low > middle;
@@ -53,7 +53,7 @@ public record Normal(String mean, String deviation, Optional<String> from, Optio
         double near = cumulative(side * (low - middle) / width);
         double far = cumulative(side * (high - middle) / width);
         if (near == far) {
-            throw new IllegalArgumentException("from " + low + " and to " + high + " leave out all of the normal"
+            throw new IllegalArgumentException("'from' " + low + " and 'to' " + high + " leave out all of the normal"
                     + " distribution with mean " + middle + " and deviation " + width);
         }
         // Rounding in the inverse must not carry a value past a limit.

@@ -115,7 +115,7 @@ public record Variation(
 
     static void requireOrder(String low, double lower, String high, double upper) {
         if (!(lower < upper)) {
-            throw new IllegalArgumentException(low + " " + lower + " must be below " + high + " " + upper);
+            throw new IllegalArgumentException("'" + low + "' " + lower + " must be below '" + high + "' " + upper);
         }
     }
 }

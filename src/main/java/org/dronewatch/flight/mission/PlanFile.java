@@ -83,7 +83,7 @@ record PlanFile(
             }
             int vehicle = mission.path("vehicleType").asInt(2);
             if (MissionCommands.isOnTheGround(vehicle)) {
-                throw new InputException(name + ": mission.vehicleType " + vehicle + " does not fly");
+                throw new InputException(name + ": mission.vehicleType " + vehicle + " is a vehicle that does not fly");
             }
             items(mission.path("items"), "mission.items");
             still.forEach((command, where) -> warnings.add(where.get(0)
@@ -210,7 +210,7 @@ record PlanFile(
                         warnings.add(where + ": a spline is flown as straight lines");
                     }
                     if (command == MissionCommands.LOITER_TIME) {
-                        warnings.add(where + ": the drone hovers where the plan may let it circle");
+                        warnings.add(where + ": the drone hovers here, although the plan may have it circle");
                     }
                     steps.add(new MissionStep.FlyTo(
                             where,

@@ -137,6 +137,6 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
         return "columns " + time.map(column -> "'" + column.name() + "', ").orElse("") + "'" + latitude.name() + "', '"
                 + longitude.name() + "'"
                 + height.map(column -> ", '" + column.name() + "'")
-                        .orElse("; there is no column of heights, so all are 0");
+                        .orElse("; there is no column of heights, so all heights are 0");
     }
 }

@@ -112,7 +112,7 @@ final class GltfScene {
             skipped.merge("skins", 1, Integer::sum);
         }
         if (node.path("extensions").has(INSTANCES)) {
-            skipped.merge("lists of further instances of a mesh", 1, Integer::sum);
+            skipped.merge(INSTANCES + " lists of mesh instances", 1, Integer::sum);
         }
         double[] matrix = matrix(node, parent);
         mesh(node, matrix);

@@ -28,8 +28,8 @@ public record FalseAlarmRate(double perLook, long cells, int looks, double rate)
             String lasting = looks > 1 ? ", each of which lasts for " + looks + " looks," : "";
             throw new IllegalArgumentException(
                     "falseAlarms: " + (float) perLook + " false alarms that begin in each look"
-                            + lasting + " make " + (float) (perLook * looks) + " at the same time; there must be 0 to "
-                            + (int) MOST_PER_LOOK);
+                            + lasting + " amount to " + (float) (perLook * looks)
+                            + " at the same time; there must be 0 to " + (int) MOST_PER_LOOK);
         }
         if (cells < 1 || looks < 1 || !(rate > 0.0)) {
             throw new IllegalArgumentException("falseAlarms: " + cells + " cells, " + looks + " looks and a rate of "

@@ -137,6 +137,6 @@ public final class SettingsFile {
                 .lines()
                 .filter(line -> !lines.contains(line))
                 .findFirst()
-                .orElse("a value of a kind that has no text");
+                .orElse("a value of a kind that cannot be written as text");
     }
 }

@@ -180,7 +180,8 @@ final class YamlFile {
         String anchor = parser.getString();
         Node meant = anchors.get(anchor);
         if (meant == null) {
-            throw new InputException(mark + ": alias '*" + anchor + "' refers to no anchor that ends before it");
+            throw new InputException(mark + ": alias '*" + anchor
+                    + "' must come after the end of a value with the anchor '&" + anchor + "'");
         }
         return meant;
     }

@@ -264,8 +264,8 @@ final class AsciiGridFile implements ElevationFile {
             lineOfWord = line;
             while (one > ' ') {
                 if (word.length() == LONGEST_WORD) {
-                    throw new InputException(name + ":" + line + ": '" + PlainText.value(word.toString())
-                            + "' and more: a number may have at most " + LONGEST_WORD + " characters");
+                    throw new InputException(name + ":" + line + ": a number of more than " + LONGEST_WORD
+                            + " characters: '" + PlainText.value(word.toString()) + "'");
                 }
                 word.append((char) one);
                 one = in.read();

@@ -110,7 +110,7 @@ final class GeoTiffFile implements ElevationFile {
         boolean isWhole = (format == 1 || format == TiffBlock.SIGNED) && (bits == 8 || bits == 16 || bits == 32);
         boolean isReal = format == TiffBlock.REAL && (bits == 32 || bits == 64);
         if (!isWhole && !isReal) {
-            throw unreadable("a sample of " + bits + " bits in format " + format);
+            throw unreadable("a sample of " + bits + " bits in sample format " + format);
         }
         int predictor = (int) tags.single(PREDICTOR, 1);
         if (predictor < 1 || predictor > 3) {
@@ -122,7 +122,7 @@ final class GeoTiffFile implements ElevationFile {
     private InputException unreadable(String what) {
         return new InputException(String.format(
                 Locale.ROOT,
-                "%s: %s is not read: convert it, as in " + CONVERT,
+                "%s: %s is not supported: convert the file, as in " + CONVERT,
                 bytes.name(),
                 what,
                 bytes.shortName()));
@@ -132,7 +132,8 @@ final class GeoTiffFile implements ElevationFile {
         if ((long) blockColumns * blockRows > MOST_BLOCK_POSTS) {
             throw new InputException(String.format(
                     Locale.ROOT,
-                    "%s: a block of %d x %d posts must have at most %,d: convert it, as in " + CONVERT,
+                    "%s: has blocks of %d x %d posts but must have at most %,d in a block: convert the file, as in "
+                            + CONVERT,
                     bytes.name(),
                     blockColumns,
                     blockRows,

@@ -85,7 +85,8 @@ class FieldGridTest {
         assertThat(new FieldGrid(0, 0, 2000, 1, HEIGHTS).columns()).isEqualTo(2000);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new FieldGrid(0, 0, 2001, 1, HEIGHTS))
-                .withMessage("side 2001.0 m with cells of 1.0 m gives 2001 cells: there must be at most 2000");
+                .withMessage("side 2001.0 m with cells of 1.0 m gives 2001 cells along each side:"
+                        + " there must be at most 2000");
     }
 
     @Test

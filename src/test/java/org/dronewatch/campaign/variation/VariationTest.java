@@ -93,7 +93,7 @@ class VariationTest {
         assertThat(metres(above, 0.5)).isCloseTo(106.744897502, within(1e-4));
         assertThat(metres(above, Math.nextDown(1.0))).isLessThanOrEqualTo(150.0);
         assertThatThrownBy(() -> metres(normal(new Normal("0", "1", Optional.of("40"), Optional.of("50"))), 0.5))
-                .hasMessage("from 40.0 and to 50.0 leave out all of the normal distribution with mean 0.0 and"
+                .hasMessage("'from' 40.0 and 'to' 50.0 leave out all of the normal distribution with mean 0.0 and"
                         + " deviation 1.0");
     }
 
@@ -130,7 +130,7 @@ class VariationTest {
     void aNormalDistributionThatLeavesTheRangeOfNumbersIsRefused() {
         assertThatThrownBy(() -> normal(Normal.of("1e308", "1e308")).value(Quantity.NUMBER, 0.5))
                 .hasMessage("mean 1.0E308 and deviation 1.0E308 give values too large for a number; set smaller"
-                        + " ones, or from and to");
+                        + " ones, or set 'from' and 'to'");
     }
 
     @Test
@@ -163,11 +163,11 @@ class VariationTest {
     @Test
     void theSpacingMustBeStatedOnceAndFit() {
         assertThatThrownBy(() -> stepped("5 m", "5 m", "1 m").value(Quantity.LENGTH, 0.5))
-                .hasMessage("from 5.0 must be below to 5.0");
+                .hasMessage("'from' 5.0 must be below 'to' 5.0");
         assertThatThrownBy(() -> stepped("0 m", "5 m", "0 m").value(Quantity.LENGTH, 0.5))
                 .hasMessage("step 0.0 must be above 0");
         assertThatThrownBy(() -> stepped("0 m", "5 m", "6 m").value(Quantity.LENGTH, 0.5))
-                .hasMessage("step 6.0 must be at most 5.0, the difference between from and to");
+                .hasMessage("step 6.0 must be at most 5.0, the difference between 'from' and 'to'");
         assertThatThrownBy(() -> stepped("0 m", "5 km", "0.5 m").value(Quantity.LENGTH, 0.5))
                 .hasMessage("step 0.5 gives too many values; it must give at most 10,000");
         assertThatThrownBy(() -> stepped("0 m", "5 m", "1 kg").value(Quantity.LENGTH, 0.5))
@@ -182,7 +182,7 @@ class VariationTest {
     @Test
     void parametersMustFitEachOther() {
         assertThatThrownBy(() -> uniform("5 m", "5 m").value(Quantity.LENGTH, 0.5))
-                .hasMessage("from 5.0 must be below to 5.0");
+                .hasMessage("'from' 5.0 must be below 'to' 5.0");
         assertThatThrownBy(() -> triangular("0", "11", "10").value(Quantity.LENGTH, 0.5))
                 .hasMessage("mode 11.0 must be 0.0 to 10.0");
         assertThatThrownBy(() -> normal(Normal.of("1", "0")).value(Quantity.LENGTH, 0.5))

@@ -333,7 +333,7 @@ class MissionTest {
                 "SimpleItem | ComplexItem | complex item '' is not supported: only surveys, corridors and landing patterns are",
                 "SimpleItem | Other | mission.items.0: type 'Other' must be SimpleItem or ComplexItem",
                 "\"items\" | \"itms\" | mission.items is missing",
-                "\"vehicleType\": 2 | \"vehicleType\": 10 | mission.vehicleType 10 does not fly",
+                "\"vehicleType\": 2 | \"vehicleType\": 10 | mission.vehicleType 10 is a vehicle that does not fly",
                 "[1.0, 2.0, 100] | [1.0, 200.0, 100] | mission.plannedHomePosition: longitude 200.0 must be",
                 "\"hoverSpeed\": 8 | \"hoverSpeed\": 8000 | mission: hoverSpeed 8000 must be 0.001 to 400.0",
                 "\"version\": 2, | \"version\": 2 | a.plan:1: not valid JSON",

@@ -154,8 +154,8 @@ class TrackTest {
                 .isEqualTo("a.csv: 2 points in 10.0 s; columns 'time(millisecond)', 'latitude', 'longitude',"
                         + " 'altitude_above_seaLevel(feet)'");
         assertThat(read(track("a.csv", Track.Heights.SURFACE, 0), DJI).description())
-                .endsWith(
-                        "columns 'time(millisecond)', 'latitude', 'longitude'; there is no column of heights, so all are 0");
+                .endsWith("columns 'time(millisecond)', 'latitude', 'longitude';"
+                        + " there is no column of heights, so all heights are 0");
         assertAt(
                 fly(track("a.csv", Track.Heights.SURFACE, 0), "time,lat,lon,alt\n0,1.0,2.0,30\n")
                         .at(0.0),

@@ -77,7 +77,7 @@ class FalseAlarmRateTest {
                 .hasMessageEndingWith(TOO_MANY);
         assertThatThrownBy(() -> new FalseAlarmRate(100.0, 1, 11, 1.0))
                 .hasMessage("falseAlarms: 100.0 false alarms that begin in each look, each of which lasts for 11 looks,"
-                        + " make 1100.0 at the same time; there must be 0 to 1000");
+                        + " amount to 1100.0 at the same time; there must be 0 to 1000");
         assertThatThrownBy(() -> new FalseAlarmRate(2.0, 1, Integer.MAX_VALUE, 1.0))
                 .hasMessageEndingWith(TOO_MANY);
     }

@@ -463,7 +463,7 @@ class FalseAlarmSourceTest {
         assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(FalseAlarms.of(5e6)))
                 .hasMessage(
                         "falseAlarms: 1388.8889 false alarms that begin in each look, each of which lasts for 5 looks,"
-                                + " make 6944.4443 at the same time; there must be 0 to 1000");
+                                + " amount to 6944.4443 at the same time; there must be 0 to 1000");
         assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(5e6, 1, 0)))
                 .hasMessage(
                         "falseAlarms: 1388.8889 false alarms that begin in each look make 1388.8889 at the same time;"
