@@ -54,7 +54,9 @@ public final class KindRegistry {
                         && other.kind().name().equals(one.kind().name()));
         return "kind '" + one.kind().name() + "' of " + one.kind().type().getSimpleName() + " is in "
                 + String.join(" and in ", places)
-                + (taken ? ": the names of built-in kinds are reserved: rename the other one, or remove it from the class path" : ": remove one of them from the class path");
+                + (taken
+                        ? ": the names of built-in kinds are reserved: rename the other one, or remove it from the class path"
+                        : ": remove one of them from the class path");
     }
 
     /**

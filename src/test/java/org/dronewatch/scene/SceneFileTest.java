@@ -256,8 +256,8 @@ class SceneFileTest {
                 "run: !!java.net.URL [x]                        | 2:6: tag 'tag:yaml.org,2002:java.net.URL' is"
                         + " not allowed",
                 "drones: {a: {speed: 5}}                        | 2:13: drones.a: needs 'model'",
-                "drones: {a: {model: ../x.obj, flight: {}}}     | 2:21: drones.a.model.file: file '../x.obj' leads out",
-                "drones: {a: {model: /x.obj, flight: {}}}       | 2:21: drones.a.model.file: file '/x.obj' leads out",
+                "drones: {a: {model: ../x.obj, flight: {}}}     | 2:21: drones.a.model.file: file '../x.obj' must be a relative path",
+                "drones: {a: {model: /x.obj, flight: {}}}       | 2:21: drones.a.model.file: file '/x.obj' must be a relative path",
                 "drones: {a: {model: x.obj, flight: {}}}        | 2:21: drones.a.model.file: file 'x.obj' does"
                         + " not exist",
                 "drones: {a: {model: packaged:hill.obj, flight: {kind: hoover}}} | did you mean 'hover'?",

@@ -184,14 +184,15 @@ final class MissionRoute {
 
     private double foundLaunchHeight() {
         EarthPoint home = plan.home()
-                .orElseThrow(() ->
-                        new IllegalArgumentException("heights above the launch position need mission.plannedHomePosition"));
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "heights above the launch position need mission.plannedHomePosition"));
         OptionalDouble ground = places.surface(home.latitude(), home.longitude());
         OptionalDouble planned = places.heightsAreKnown() ? plan.homeHeight() : OptionalDouble.empty();
         if (ground.isEmpty()) {
-            double height = planned.orElseThrow(() ->
-                    new IllegalArgumentException("no surface at " + Places.inWords(home.latitude(), home.longitude())
-                            + ", the launch position, from which its height is measured: the site has a hole or ends there"));
+            double height = planned.orElseThrow(
+                    () -> new IllegalArgumentException(
+                            "no surface at " + Places.inWords(home.latitude(), home.longitude())
+                                    + ", the launch position, from which its height is measured: the site has a hole or ends there"));
             warnings.accept(String.format(
                     Locale.ROOT,
                     "%s: the launch position is in a hole of the site or beyond its edge: heights are measured from %.1f m above sea level, as the plan states",

@@ -91,8 +91,7 @@ final class RouteReasons {
                 case TOO_SLOW, TOO_FAST ->
                     "flying across radars' lines of sight or at a speed that they reject," + often;
                 case UNKNOWN -> "with unknown ground between it and the sensors" + often;
-                case SILENT ->
-                    (isMostly ? "mostly" : often.strip()) + " emitting nothing that the sensors can detect";
+                case SILENT -> (isMostly ? "mostly" : often.strip()) + " emitting nothing that the sensors can detect";
                 default -> CoverageTable.name(cause) + often;
             };
         });

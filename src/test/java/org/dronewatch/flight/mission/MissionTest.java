@@ -109,8 +109,9 @@ class MissionTest {
         assertAt(path.at(time), high);
         assertThat(path.at(1e4).position().z()).isEqualTo(120.0, within(0.01));
         assertThat(plan.warnings)
-                .containsExactly("a.plan: the launch position is 100.0 m above sea level in the plan, 140.0 m on the site:"
-                        + " heights are measured from the site");
+                .containsExactly(
+                        "a.plan: the launch position is 100.0 m above sea level in the plan, 140.0 m on the site:"
+                                + " heights are measured from the site");
     }
 
     /** Between two heights above the surface the drone follows it: brute force over rough ground, seed 26. */

@@ -466,7 +466,7 @@ class FalseAlarmSourceTest {
                                 + " amount to 6944.4443 at the same time; there must be 0 to 1000");
         assertThatThrownBy(() -> RfSettings.at(PLACE).withFalseAlarms(new FalseAlarms(5e6, 1, 0)))
                 .hasMessage(
-                        "falseAlarms: 1388.8889 false alarms that begin in each look make 1388.8889 at the same time;"
+                        "falseAlarms: 1388.8889 false alarms that begin in each look amount to 1388.8889 at the same time;"
                                 + " there must be 0 to 1000");
         assertThat(RfSettings.at(PLACE)
                         .withFalseAlarms(new FalseAlarms(36_000, 1, 100))
