@@ -117,7 +117,7 @@ class PlaceFlownTest {
         String words = "If slow-1 or slow-2 is lost, the layout detects the drone with a probability of ";
         assertThat(place.outcome().out())
                 .containsPattern("(?m)^" + words
-                        + ".*, as the search estimates it\\. In flights past the layout without each of these"
+                        + ".*, as estimated by the search\\. In flights past the layout without each of these"
                         + " sensors in turn, the worst case is the loss of slow-.*: the drone is then detected in time with a"
                         + " probability of .*, on the route from the .*\\. This is less than the 0\\.5 that"
                         + " conditions\\.anyoneLost\\.atLeast asks for\\.$");

@@ -25,7 +25,7 @@ record DetectionMeasure() implements PlaceMeasure {
 
     @Override
     public String whole() {
-        return ", as the search estimates it";
+        return ", as estimated by the search";
     }
 
     @Override

@@ -63,7 +63,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
             List<String> worst = best.worstLosses();
             return lossOf(worst, without.size()) + ", the layout detects the drone with a probability of "
                     + FrontWords.percent(RoutePlacement.detection(least))
-                    + " on the weakest route past it, as the search estimates it."
+                    + " on the weakest route past it, as estimated by the search."
                     + flownLoss().orElse("");
         });
     }

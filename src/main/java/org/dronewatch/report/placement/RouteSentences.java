@@ -57,7 +57,7 @@ final class RouteSentences {
         }
         return "On the weakest route past the layout" + scene(best.weakest())
                 + ", the drone is detected with a probability of " + detected(value) + " (exposure " + exposure(value)
-                + "), as the search estimates it: " + along(best.weakest()) + ".";
+                + "), as estimated by the search: " + along(best.weakest()) + ".";
     }
 
     /** Whether all affordable candidates together leave a route without exposure. */
@@ -92,7 +92,7 @@ final class RouteSentences {
             return Optional.of("The same is true of all other directions.");
         }
         String probability = " with a probability of " + detected(weakest)
-                + (weakest < WeakestRouteSearch.ENOUGH ? " or more" : "") + ", as the search estimates it";
+                + (weakest < WeakestRouteSearch.ENOUGH ? " or more" : "") + ", as estimated by the search";
         if (!isNeverClosed()) {
             return Optional.of(sentence(affordable()) + " would detect the drone on every route" + probability
                     + ", but no layout within the budget that meets the conditions does.");

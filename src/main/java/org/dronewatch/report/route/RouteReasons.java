@@ -84,14 +84,16 @@ final class RouteReasons {
     private static Optional<String> common(SectorRoute route) {
         CauseTimes dominant = route.causes().dominant();
         return dominant.longest().map(cause -> {
-            boolean isMostly = dominant.share(cause) > 0.5;
-            String often = isMostly ? " most of the time" : " part of the time";
+            double share = dominant.share(cause);
+            String often = isAlways(share) ? " all the time" : share > 0.5 ? " most of the time" : " part of the time";
             return switch (cause) {
                 case TOO_WEAK -> "too small, faint or quiet for the sensors" + often;
                 case TOO_SLOW, TOO_FAST ->
                     "flying across radars' lines of sight or at a speed that they reject," + often;
                 case UNKNOWN -> "with unknown ground between it and the sensors" + often;
-                case SILENT -> (isMostly ? "mostly" : often.strip()) + " emitting nothing that the sensors can detect";
+                case SILENT ->
+                    (isAlways(share) ? "" : share > 0.5 ? "mostly " : "part of the time ")
+                            + "emitting nothing that the sensors can detect";
                 default -> CoverageTable.name(cause) + often;
             };
         });
@@ -126,7 +128,7 @@ final class RouteReasons {
                 .limit(most)
                 .toList();
         Cause main = causes.get(0);
-        if (times.share(main) > 1.0 - ROUNDING) {
+        if (isAlways(times.share(main))) {
             return name(sensor, main) + " all the time";
         }
         return name(sensor, main) + " " + percent(times.share(main)) + " of the time"
@@ -135,6 +137,10 @@ final class RouteReasons {
                         .filter(cause -> times.share(cause) >= LEAST_SHARE)
                         .map(cause -> ", " + name(sensor, cause) + " " + percent(times.share(cause)))
                         .collect(Collectors.joining());
+    }
+
+    private static boolean isAlways(double share) {
+        return share > 1.0 - ROUNDING;
     }
 
     private static String percent(double share) {
