@@ -74,7 +74,7 @@ final class PlaceAttacks {
     }
 
     /**
-     * Checks the campaign against the scene as it is, before the search for a layout takes its time.
+     * Checks the campaign against the scene as it is, before the search for a layout, which may take long.
      *
      * @param seed in place of the one in the campaign file
      * @throws InputException with a one-line message when anything is wrong

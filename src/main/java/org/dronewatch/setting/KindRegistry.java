@@ -137,7 +137,7 @@ public final class KindRegistry {
         return byType.containsKey(type);
     }
 
-    /** The name of the kind of a type for which a word is another one; empty if there is none. */
+    /** The name of the kind, among those of a type, that has a word as a synonym; empty if there is none. */
     public Optional<String> byAnotherWord(Class<?> type, String word) {
         return all.stream()
                 .map(FoundKind::kind)

@@ -6,7 +6,8 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Moves positions that lie on a surface slightly off it. A microphone on the ground is treated as lying just above it;
- * otherwise the path along the ground would have zero length and no defined side of incidence. For use by one thread.
+ * otherwise the last leg of a path reflected by the ground would have zero length, and it would be undefined from which
+ * side the sound arrives. For use by one thread.
  */
 public final class Clearance {
     /**

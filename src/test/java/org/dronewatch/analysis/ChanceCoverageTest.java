@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import org.dronewatch.Thorough;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scene.SceneFile;
@@ -42,6 +43,7 @@ class ChanceCoverageTest {
         return Coverage.of(settings, stage, "one", GRID, points -> {});
     }
 
+    @Thorough
     @Test
     void aCellIsCoveredWhereAnEvenChanceIsReachedWhateverTheSeed() throws IOException {
         Coverage one = coverage(1);
@@ -63,6 +65,7 @@ class ChanceCoverageTest {
     }
 
     /** What an unlucky draw used to leave out inside the range of a radar counted as too weak there. */
+    @Thorough
     @Test
     void noCellInsideTheEvenChanceIsTooWeak() throws IOException {
         Coverage coverage = coverage(1);

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -51,6 +52,7 @@ class AlarmsCommandTest {
     }
 
     /** The radio receiver mistakes more in rain; the number in a run of 400 s has a Poisson distribution. */
+    @Thorough
     @Test
     void ratesAreThoseOfTheWeather() throws IOException {
         String[] words = {

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -102,6 +103,7 @@ class BenchCommandTest extends CommandLines {
                 .contains("--query occluded takes neither --hits nor --width");
     }
 
+    @Thorough
     @Test
     void benchMakesCameraAndDiffuseRaysItself() {
         Program.Outcome outcome = commandIn("bench packaged:house.obj --passes 1");

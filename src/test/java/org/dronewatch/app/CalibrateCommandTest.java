@@ -14,6 +14,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
@@ -116,6 +117,7 @@ class CalibrateCommandTest {
         assertThat(found).isBetween(range - LOOK, range + 1e-4);
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource({"level, 120.3", "level, 60", "energy, 120.3", "energy, 400", "rf, 900.1", "rf, 77"})
     void aRunInTheOpenGivesTheRange(String sensor, double range) throws IOException {
@@ -135,6 +137,7 @@ class CalibrateCommandTest {
     }
 
     /** Energy model: spreading and absorption by ISO 9613-1, added up over A-weighted octave bands. */
+    @Thorough
     @Test
     void moreNoiseShortensTheRangeOfTheEnergyModelBySpreadingAndAir() throws IOException {
         double range = 300.0;
@@ -236,6 +239,7 @@ class CalibrateCommandTest {
     }
 
     /** There the drone fills a large part of the image, and nothing nearer is looked at. */
+    @Thorough
     @Test
     void aCameraCanBeFittedToTheNearestRange() {
         Outcome outcome =
@@ -260,6 +264,7 @@ class CalibrateCommandTest {
      * One pixel changes the range by several metres: the entry states what it has, and how far it is from what was
      * asked.
      */
+    @Thorough
     @ParameterizedTest
     @CsvSource({"150", "90", "40"})
     void theEntryOfACameraStatesTheRangeThatARunGives(double asked) throws IOException {

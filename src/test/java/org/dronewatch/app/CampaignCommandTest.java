@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
 import org.dronewatch.viewer.Viewer;
@@ -119,6 +120,7 @@ class CampaignCommandTest {
                         "in time: near - far = -\\d+\\.\\d points .*only near in 0, only far in \\d+ of 60 cases, p = ");
     }
 
+    @Thorough
     @Test
     void theFilesAreTheSameForAnyNumberOfThreadsAndAfterAnInterruption() throws IOException {
         assertThat(campaign("again", "--threads=4").code()).isZero();
@@ -137,6 +139,7 @@ class CampaignCommandTest {
     }
 
     /** At most 104 cases, in three chunks; those of the last chunk that are not needed are left out. */
+    @Thorough
     @Test
     void aCampaignEndsAsSoonAsTheProbabilityIsKnown() throws IOException {
         Path file = Files.writeString(
@@ -169,6 +172,7 @@ class CampaignCommandTest {
     }
 
     /** Room for the plan, or for a chunk or two; then for all. */
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"4k", "8k", "20k", "28k"})
     void aFullDiskIsOneLineAndTheCampaignIsCompletedWhenThereIsRoom(String size) throws Exception {
@@ -218,6 +222,7 @@ class CampaignCommandTest {
     }
 
     /** Whatever the results depend on. */
+    @Thorough
     @Test
     void aCampaignOfWhichAnythingHasChangedIsNotCompleted() throws IOException {
         Path changing = Files.createDirectory(directory.resolve("changing"));

@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
@@ -52,6 +53,7 @@ class CampaignKillTest {
     }
 
     /** Half of the moments are those at which a file is being written or renamed, and the others any. */
+    @Thorough
     @Test
     void nothingIsLostDoubledOrDifferentWhenItIsKilledAtAnyMoment() throws Exception {
         long seed = 20_261_126L;

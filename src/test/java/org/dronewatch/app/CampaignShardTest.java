@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
 import org.junit.jupiter.api.BeforeAll;
@@ -47,6 +48,7 @@ class CampaignShardTest {
                 Files.readString(directory.resolve(out).resolve("plan.json")));
     }
 
+    @Thorough
     @Test
     void thePartsInAnyOrderGiveTheWholeAndCanBeRepeated() throws IOException {
         Outcome merged = Program.run("merge", at("part-3"), at("part-1"), at("part-2"), "--out", at("merged"));
@@ -62,6 +64,7 @@ class CampaignShardTest {
     }
 
     /** Three chunks of further cases, of which the first part has two. */
+    @Thorough
     @Test
     void theFurtherCasesOfASensitivityAreDividedAndJoined() throws IOException {
         String further = CAMPAIGN.replace("runs: 130", "runs: 40") + "sensitivity: {method: sobol, base: 20}\n";

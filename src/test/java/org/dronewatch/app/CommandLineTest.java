@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import org.dronewatch.Thorough;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.Positioners;
 import org.junit.jupiter.api.Test;
@@ -259,6 +260,7 @@ class CommandLineTest extends CommandLines {
         assertThat(outcome.out()).contains(" drone, 13 sensors (1 switched off), ");
     }
 
+    @Thorough
     @Test
     void runWarnsThatThereAreNoRaysToWrite() throws IOException {
         String run = "run multi-sensor --set run.duration=0.1 --out DIR/out --rays DIR/rays.obj";
@@ -316,6 +318,7 @@ class CommandLineTest extends CommandLines {
         assertThat(files()).containsOnlyKeys("view.png", "view.pfm");
     }
 
+    @Thorough
     @Test
     void modelsAreWrittenAsTheyAreShipped() throws IOException {
         Program.Outcome outcome = commandIn("models --out DIR");
@@ -362,6 +365,7 @@ class CommandLineTest extends CommandLines {
         assertThat(files()).isEmpty();
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"top", "side", "orbit"})
     void rendersTheSite(String view) throws IOException {

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
 import org.junit.jupiter.api.BeforeAll;
@@ -88,6 +89,7 @@ class CompareCommandTest {
     }
 
     /** As Ctrl-C leaves it, with whole chunks and no report. */
+    @Thorough
     @Test
     void anInterruptedComparisonIsCompletedWithTheSameBytesAndCanBeRepeated() throws IOException {
         Path out = directory.resolve("interrupted");

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.BeforeAll;
@@ -422,6 +423,7 @@ class CoverageCommandTest {
     }
 
     /** At the bottom of the legend of each map. */
+    @Thorough
     @Test
     void everyMapShowsTheCreditsOfItsData() throws IOException {
         StringBuilder ground =

@@ -20,6 +20,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Aimed;
 import org.dronewatch.sensor.SensorSettings;
@@ -90,6 +91,7 @@ class ForeignProjectTest {
                         "model file          .off                Object File Format; " + jar);
     }
 
+    @Thorough
     @Test
     void aSceneOfItsKindsRunsAndIsReported() throws IOException {
         copyTheScene();
@@ -140,6 +142,7 @@ class ForeignProjectTest {
      * A drone whose mesh, flight and sound come from the other jar, beside one of the library: where it is, what it
      * looks like and what it sounds like follow from its kinds' closed forms.
      */
+    @Thorough
     @Test
     void aDroneOfForeignPartsFliesBesideAPackagedOne() throws IOException {
         Files.writeString(directory.resolve("kite.off"), "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 0 1.5\n3 0 1 2\n");
@@ -275,6 +278,7 @@ class ForeignProjectTest {
      * A listener of the other jar is not sure of what it hears. The probability asked for moves the threshold by the
      * logit, in the closed form of that kind; and as many looks as asked for detect the drone at the range.
      */
+    @Thorough
     @ParameterizedTest
     @MethodSource("probabilities")
     void aSensorOfSlopingProbabilityIsCalibratedToAProbability(double probability) throws IOException {
@@ -335,6 +339,7 @@ class ForeignProjectTest {
         assertThat(Files.readString(directory.resolve("out/detections.csv"))).contains(",camera,spotter,");
     }
 
+    @Thorough
     @Test
     void aSavedSceneHasItsKindsAndTheSameDetections() throws IOException {
         copyTheScene();
@@ -443,6 +448,7 @@ class ForeignProjectTest {
                 .doesNotContain("\"turns\"");
     }
 
+    @Thorough
     @Test
     void aKindThatRequiresWhatNoFileCanGiveIsRefusedInOneLine() throws IOException, InterruptedException {
         Path odd = oddFlight("", "int[] turns");

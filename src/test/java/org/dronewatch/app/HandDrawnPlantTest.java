@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,6 +49,7 @@ class HandDrawnPlantTest {
                 .toArray(String[]::new);
     }
 
+    @Thorough
     @Test
     void theCommandsOfThePageRun() throws IOException {
         String section = section();

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
@@ -28,6 +29,7 @@ class LostSensorTest {
     @TempDir
     private Path directory;
 
+    @Thorough
     @Test
     void whatIsLostIsTheDifferenceToASceneWithoutTheSensor() throws IOException {
         FieldSite.in(directory, SENSORS);

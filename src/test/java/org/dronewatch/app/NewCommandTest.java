@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.drone.DroneClass;
 import org.dronewatch.drone.RadarSignature;
@@ -79,6 +80,7 @@ class NewCommandTest {
     }
 
     /** A map alone, or elevations alone, make a site as well; a directory may exist if it is empty. */
+    @Thorough
     @ParameterizedTest
     @CsvSource({"--buildings " + MAP, "--terrain " + SRTM + " --crs EPSG:4326"})
     void oneOfBothIsEnough(String files) throws IOException {

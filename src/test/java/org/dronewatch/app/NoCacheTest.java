@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.run.store.KeptTerrain;
 import org.dronewatch.run.store.StorePlace;
 import org.dronewatch.scene.Scene;
@@ -105,6 +106,7 @@ class NoCacheTest {
         assertThat(code).as(err.toString()).isZero();
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -129,6 +131,7 @@ class NoCacheTest {
         assertThat(kept.isUsedBy(() -> execute(command))).isFalse();
     }
 
+    @Thorough
     @Test
     void whatIsRepeatedDoesNotUseTheStoreEither() {
         String run = directory.resolve("run").toString();

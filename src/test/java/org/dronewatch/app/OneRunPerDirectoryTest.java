@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.report.RunReport;
@@ -69,6 +70,7 @@ class OneRunPerDirectoryTest {
         }
     }
 
+    @Thorough
     @Test
     void aDirectoryInUseIsRefusedAndTheRunThatHasItGoesOn() throws IOException, InterruptedException {
         try (Child child = startLongRun()) {
@@ -92,6 +94,7 @@ class OneRunPerDirectoryTest {
         assertThat(names()).containsExactly("others", "results");
     }
 
+    @Thorough
     @Test
     void whatAKilledRunLeftIsRemovedByTheNext() throws IOException, InterruptedException {
         try (Child child = startLongRun()) {

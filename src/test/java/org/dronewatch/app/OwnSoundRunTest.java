@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -53,6 +54,7 @@ class OwnSoundRunTest {
         return Files.readString(out.resolve("observations.csv"));
     }
 
+    @Thorough
     @Test
     void theFiguresOfTheTableWrittenOutSoundLikeItsName() throws IOException {
         String packaged = observations("sound: c1-quadrotor");

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.plan.PlacePlan;
@@ -203,6 +204,7 @@ class PlaceCandidatesTest {
     }
 
     /** The directory that is named takes the layout, even if that of the scene has the results of another command. */
+    @Thorough
     @Test
     void theDirectoryThatIsAdvisedWillDo() throws Exception {
         Path site = Files.createDirectory(directory.resolve("site"));
@@ -281,6 +283,7 @@ class PlaceCandidatesTest {
     }
 
     /** A cheaper layout that prints alike takes the place of the best one only where a gap is allowed. */
+    @Thorough
     @Test
     void withoutAGapTheBestLayoutIsChosenHoweverLittleBetter() throws Exception {
         Path file = PlacedSite.in(directory, "budget: 18\n");

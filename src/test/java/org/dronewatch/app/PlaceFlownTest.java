@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.placement.route.RoutePlacement;
 import org.junit.jupiter.api.Test;
@@ -64,6 +65,7 @@ class PlaceFlownTest {
         return PlacedLayout.of(file, directory, "--budgets=1");
     }
 
+    @Thorough
     @Test
     void whatFlightsShowComesFirst() throws IOException {
         PlacedLayout place = placed("");
@@ -94,6 +96,7 @@ class PlaceFlownTest {
     }
 
     /** Without either radar, the search still expects more than half of the drones to be detected in time. */
+    @Thorough
     @Test
     void whatFlightsShowOfALossIsStated() throws IOException {
         PlacedLayout place = placed("conditions: {anyoneLost: {atLeast: 0.5}}\n");
@@ -128,6 +131,7 @@ class PlaceFlownTest {
      * Radars that do not see the north, which the drone has too little endurance to fly around to: this gap makes all
      * layouts worthless, though it is the only one.
      */
+    @Thorough
     @Test
     void theGapThatNothingClosesIsNamed() throws IOException {
         site("    performance: {endurance: 14 s}\n");

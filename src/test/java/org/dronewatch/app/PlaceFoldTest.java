@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.site.PlacedSite;
@@ -27,6 +28,7 @@ class PlaceFoldTest {
     @TempDir
     private Path directory;
 
+    @Thorough
     @Test
     void saysHowItWasOrderedAndThatTheTableCountsSingleSensors() throws IOException {
         Path file = PlacedSite.in(directory, "budget: 8\nconditions: {fold: 2}\n");
@@ -50,6 +52,7 @@ class PlaceFoldTest {
     }
 
     /** Keeping exactly what the scene has is worth what the scene's own sensors are worth, on the same terms. */
+    @Thorough
     @ParameterizedTest
     @CsvSource({"1, worst", "1, mean", "2, worst", "2, mean"})
     void warningsOfTheSameSensorsAreTheSame(int fold, String measure) throws IOException {

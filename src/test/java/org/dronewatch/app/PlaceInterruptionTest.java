@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignSite;
@@ -31,6 +32,7 @@ class PlaceInterruptionTest {
     @TempDir
     private Path directory;
 
+    @Thorough
     @Test
     void theBestLayoutSoFarIsWhole() throws Exception {
         Path file = PlacedSite.in(directory, "budget: 9\n");
@@ -65,6 +67,7 @@ class PlaceInterruptionTest {
     }
 
     /** The process waits for the message of an end before there is any result, however slow the console is. */
+    @Thorough
     @Test
     void anEndWithoutResultsIsStated() throws Exception {
         Path file = PlacedSite.in(directory, "budget: 9\n");
@@ -84,6 +87,7 @@ class PlaceInterruptionTest {
     }
 
     /** The results of attacks are those of the first ones, as many as are stated. */
+    @Thorough
     @Test
     void theAttacksSoFarAreWhole() throws Exception {
         CampaignSite.in(directory, CampaignSite.TWO_RANGES);

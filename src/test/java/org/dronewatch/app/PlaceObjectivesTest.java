@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.RadarCandidates;
@@ -87,6 +88,7 @@ class PlaceObjectivesTest {
      * The ring lies between the middles of cells: flights show that it detects the drone on the route that the search
      * finds first, and others take its place. The search promises no more than on that route.
      */
+    @Thorough
     @Test
     void theExposureOnARouteThatFlightsReplaceIsThatOfRoute() throws IOException {
         PlacedLayout place = placed(

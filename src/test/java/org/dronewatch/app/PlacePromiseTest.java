@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.site.PlacedSite;
 import org.junit.jupiter.api.extension.AnnotatedElementContext;
@@ -33,6 +34,7 @@ class PlacePromiseTest {
     @TempDir(factory = OddlyNamed.class)
     private Path directory;
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"any", "inbound"})
     void coverageOfTheLayoutGivesTheFiguresThatWerePrinted(String heading) throws IOException {

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.regex.Pattern;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.BeforeEach;
@@ -80,6 +81,7 @@ class PlaceSilentDroneTest {
                 .containsPattern("class=\"verdict\">[^<]*" + Pattern.quote(sentence));
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

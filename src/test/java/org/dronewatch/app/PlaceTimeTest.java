@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.campaign.CampaignRun;
 import org.dronewatch.campaign.CampaignSite;
@@ -39,6 +40,7 @@ class PlaceTimeTest {
         return run(List.of("place", file.toString(), "--quiet", "--gap=0"), more);
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -75,6 +77,7 @@ class PlaceTimeTest {
      * Half a million attacks would take hours: those that are complete 10 s after the time count. That they are the
      * first ones is repeated in the long form only, since {@link PlaceInterruptionTest} shows it of fewer attacks.
      */
+    @Thorough
     @Test
     void attacksEndSoonAfterTheTime() throws IOException {
         Path campaign = CampaignSite.in(directory, CampaignSite.TWO_RANGES);

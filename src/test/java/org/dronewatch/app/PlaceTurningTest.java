@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,6 +63,7 @@ class PlaceTurningTest {
         assertThat(place.promised().get("value").asDouble()).isCloseTo(covered, within(ROUNDING));
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"cued", "search"})
     void weakestRoute(String pointing) throws IOException {

@@ -11,6 +11,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.report.RunReport;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneFile;
@@ -78,6 +79,7 @@ class ProvenanceTest {
         return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file)));
     }
 
+    @Thorough
     @Test
     void theResultHasTheSameBytesForAnyThreadsDirectoryAndTime() throws IOException, InterruptedException {
         String first = run("one", "--threads", "1");
@@ -99,6 +101,7 @@ class ProvenanceTest {
     }
 
     /** Run 0 of a sweep has the seed as given, run k the one derived from it by the name "run" and its number. */
+    @Thorough
     @Test
     void theResultStatesTheSeedOfEveryRun() throws IOException {
         long seed = 12_345L;
@@ -164,6 +167,7 @@ class ProvenanceTest {
         assertThat(known.get("models").get(1).get("materials").size()).isEqualTo(1);
     }
 
+    @Thorough
     @Test
     void whatChangesChangesItsOwnHashOnly() throws IOException {
         run("one");

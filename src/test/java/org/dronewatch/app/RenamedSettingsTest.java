@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -65,6 +66,7 @@ class RenamedSettingsTest {
         return Files.readString(directory.resolve(file));
     }
 
+    @Thorough
     @Test
     void aRunByFormerNamesWarnsOnceForEachAndGivesTheResultsOfThePresentOnes() throws IOException {
         Outcome former = Program.run("run", scene.toString(), "--observations", "--out", directory + "/former");

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.dronewatch.Thorough;
 import org.dronewatch.render.Fineness;
 import org.dronewatch.render.Orbit;
 import org.dronewatch.render.RayFilter;
@@ -74,6 +75,7 @@ class RenderCommandTest extends CuedCamera {
                 .contains(String.format(", %.0f of them on drones", Double.parseDouble(row.value)));
     }
 
+    @Thorough
     @Test
     void aCuedCameraShowsTheDroneWithThePixelsThatItReportedInTheRun() throws IOException {
         String picture = directory.resolve("cued.png").toString();
@@ -92,6 +94,7 @@ class RenderCommandTest extends CuedCamera {
         assertThat(ImageIO.read(Path.of(picture).toFile()).getWidth()).isEqualTo(1920);
     }
 
+    @Thorough
     @Test
     void seedAndRunOfASweepAreThoseOfTheRun() throws IOException {
         Files.writeString(

@@ -11,12 +11,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.dronewatch.Thorough;
 import org.dronewatch.render.Films;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Films of the site and of what a camera sees. */
+@Thorough
 class RenderFilmTest extends CuedCamera {
     @Test
     void aFilmOfTheSiteBeginsAndEndsAsItsPictures() throws Exception {

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,6 +55,7 @@ class ReplayedScenesTest {
         return outcome.err().lines().filter(line -> line.contains("recorded")).toList();
     }
 
+    @Thorough
     @Test
     void aRunBeyondTheEndOfARecordingWarnsOnceForEachDrone() throws IOException {
         for (String command : List.of("check", "run")) {
@@ -70,6 +72,7 @@ class ReplayedScenesTest {
                 .anyMatch(row -> row.startsWith("0,visitor,3.5,0.0,72.0,20.0,0.0,-8.0,0.0,"));
     }
 
+    @Thorough
     @Test
     void aRunThatEndsWithTheRecordingDoesNotWarn() throws IOException {
         assertThat(warnings("check", "3 s")).isEmpty();

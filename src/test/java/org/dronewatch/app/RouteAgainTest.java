@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -95,6 +96,7 @@ class RouteAgainTest {
         return route.with(FlownRoute.of(flight, runner.load(flight)).exposure());
     }
 
+    @Thorough
     @Test
     void aRouteThatFlightsDetectIsSearchedForAgain() {
         assertThat(searchedOnce().isUnderestimated(RESPONSE)).isTrue();

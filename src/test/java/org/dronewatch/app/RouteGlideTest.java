@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
@@ -16,6 +17,7 @@ import tools.jackson.databind.json.JsonMapper;
 /** A drone that can stop its motors, before a microphone: from the command to the files. */
 class RouteGlideTest {
     /** A microphone does not hear a glider: its motors stop and stay off, flights agree, and all is repeatable. */
+    @Thorough
     @Test
     void motorsStopWhereTheyWouldBeHeard(@TempDir Path other) throws IOException {
         FieldSite.in(

@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
@@ -42,6 +43,7 @@ class RouteInterruptionTest {
     @TempDir
     private Path directory;
 
+    @Thorough
     @Test
     void theBestRoutesSoFarAreWhole() throws Exception {
         Files.writeString(

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
@@ -37,6 +38,7 @@ class RoutePlaceInterruptionTest {
     @TempDir
     private Path directory;
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"layouts and routes past them: done", "detection field: done"})
     void theLayoutIsWhole(String reached) throws Exception {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
@@ -52,6 +53,7 @@ class RouteSensorsTest {
     }
 
     /** Within 2 %, since in cells of 40 m the smoothing of a route may get further in one of two fields. */
+    @Thorough
     @Test
     void anotherSensorNeverLowersTheExposureAndTheirOrderChangesNothing() throws IOException {
         double[] before = new double[8];

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -95,6 +96,7 @@ class RouteSlowTest {
         return value * value;
     }
 
+    @Thorough
     @Test
     void atFullSpeedItIsDetected() throws IOException {
         Outcome fast = search(50, "--modes=powered");

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -79,6 +80,7 @@ class RunFilesTest extends CommandLines {
                 .containsPattern(",12,px,[0-9.]+$");
     }
 
+    @Thorough
     @Test
     void theRaysOfARunAreLinesThatAModelProgramReads() throws IOException {
         Program.Outcome outcome = commandIn("run closed-space --out DIR/results --rays DIR/rays.obj");

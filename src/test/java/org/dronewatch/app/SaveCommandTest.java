@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,6 +39,7 @@ class SaveCommandTest {
         return Files.readString(directory.resolve(file));
     }
 
+    @Thorough
     @Test
     void aSavedSceneGivesTheSameBytes() throws IOException {
         run("camera-range", SETTINGS, "packaged");
@@ -109,6 +111,7 @@ class SaveCommandTest {
                 .contains("--run 1: must be 0, because no setting is swept");
     }
 
+    @Thorough
     @Test
     void oneRunOfASweepGivesItsRows() throws IOException {
         run("camera-range", SETTINGS, "sweep");

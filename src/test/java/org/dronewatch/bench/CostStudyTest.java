@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.io.ModelLoader;
 import org.dronewatch.mesh.io.ModelSettings;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.Test;
 class CostStudyTest {
     private static final Stopwatch HASTY = new Stopwatch(0, 1, System::nanoTime);
 
+    @Thorough
     @Test
     void everyLineHasACostForEachQuantity() {
         TriangleMesh drone = new ModelLoader(Path.of(""))
@@ -38,6 +40,7 @@ class CostStudyTest {
     }
 
     /** By a clock for which everything takes a second, rates are numbers of rays. */
+    @Thorough
     @Test
     void whatIsTraced() {
         AtomicLong second = new AtomicLong();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Random;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
 import org.dronewatch.kdtree.LeafOrderTriangles;
@@ -27,6 +28,7 @@ class BvhTraversalTest {
         assumeTrue(VectorInstructions.areAvailable(), "no vectors of 256 bits, or the module of vectors is not named");
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"hill.obj", "house.obj", "cathedral.obj", "quadrotor.obj"})
     void scatteredRaysHitWhatTheyHitInTheKdTree(String model) {

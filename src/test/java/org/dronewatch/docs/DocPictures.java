@@ -7,9 +7,11 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.dronewatch.app.Main;
 import org.dronewatch.scene.Scene;
@@ -179,6 +181,9 @@ final class DocPictures {
             "costs-drones",
             "costs-threads");
 
+    /** The pictures that a command wrote, by their names: several of them may be among those of the pages. */
+    private static final Map<String, Map<String, BufferedImage>> WRITTEN = new HashMap<>();
+
     private DocPictures() {}
 
     /** Draws a picture; files on the way there may go into a directory. */
@@ -271,16 +276,30 @@ final class DocPictures {
                 false);
     }
 
-    /** A picture among those that {@code coverage} or {@code route} writes. */
+    /** A picture among those that {@code coverage}, {@code route} or {@code place} writes. */
     private static DocPicture map(String name, String command, String map) {
         return new DocPicture(
                 name,
                 directory -> {
-                    Path written = directory.resolve(name);
-                    run(command, written);
-                    return read(written.resolve(map));
+                    if (!WRITTEN.containsKey(command)) {
+                        Path written = directory.resolve(name);
+                        run(command, written);
+                        WRITTEN.put(command, pictures(written));
+                    }
+                    return WRITTEN.get(command).get(map);
                 },
                 false);
+    }
+
+    private static Map<String, BufferedImage> pictures(Path written) throws IOException {
+        Map<String, BufferedImage> pictures = new HashMap<>();
+        try (Stream<Path> files = Files.list(written)) {
+            for (Path file :
+                    files.filter(one -> one.toString().endsWith(".png")).toList()) {
+                pictures.put(file.getFileName().toString(), read(file));
+            }
+        }
+        return pictures;
     }
 
     /** The window below its menus, at a time of the run, s. */

@@ -205,9 +205,11 @@ class ThesisPageTest {
     void theFiguresOfWeatherAndLightAreThoseOfARun() throws IOException {
         String clear = metres(cameraRange());
         assertThat(differs("dependence on light"))
-                .contains(metres(cameraRange("world.light.illuminance=0.3 lx")) + " instead of " + clear + ", with a 30°");
+                .contains(metres(cameraRange("world.light.illuminance=0.3 lx")) + " instead of " + clear
+                        + ", with a 30°");
         assertThat(differs("weather and light"))
-                .contains(metres(cameraRange("world.light.visibility=200 m")) + " instead of " + clear + ", with a 30°");
+                .contains(
+                        metres(cameraRange("world.light.visibility=200 m")) + " instead of " + clear + ", with a 30°");
     }
 
     private static double cumulatedEnergy(String... settings) {

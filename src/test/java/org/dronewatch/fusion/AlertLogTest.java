@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Sighting;
@@ -278,6 +279,7 @@ class AlertLogTest {
         }
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(doubles = {0.003, 1, 10, 90, 180})
     void contactsAgreeAsIfEachWereComparedWithAll(double gate) {
@@ -308,6 +310,7 @@ class AlertLogTest {
      * 300,000 false contacts, of which up to a hundred thousand count at a time: compared with each other this would
      * take some 2e10 comparisons; in the long form, a million and 1e11. Nothing is remembered longer than it counts.
      */
+    @Thorough
     @Test
     void manyContactsTakeSeconds() {
         int waiting = 100_000;

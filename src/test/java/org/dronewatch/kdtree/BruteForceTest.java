@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,7 @@ class BruteForceTest {
     /** A ray this near to an edge, relative to the mesh's size, may be judged either way. */
     private static final double EDGE = 1e-6;
 
+    @Thorough
     @Test
     void hill() {
         compare("hill", Meshes.model("hill.obj"), 5_000, 101);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.parallel.Workers;
 import org.junit.jupiter.api.Test;
@@ -62,6 +63,7 @@ class NastyTreesTest {
         });
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"hill.obj", "house.obj", "quadrotor.obj", "cathedral.obj"})
     void treesOfModelsAreThoseWithoutALimit(String model) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ class TraversalBordersTest {
     private static final double END = Double.POSITIVE_INFINITY;
 
     /** Only where the ray's line comes within a rounding of the hit triangle's edge may another triangle be hit. */
+    @Thorough
     @Test
     void raysFromAndAlongTheBordersOfCells() {
         for (TriangleMesh mesh : List.of(Meshes.room(), Meshes.soup(200, 0.3, 61), Meshes.icosphere(2))) {

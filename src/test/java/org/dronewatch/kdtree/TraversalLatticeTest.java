@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.raster.TileTracer;
 import org.junit.jupiter.api.Test;
@@ -69,6 +70,7 @@ class TraversalLatticeTest {
      * Larger lattices, small, far from the origin, off the grid of planes; directions of any length, zeros of both
      * signs.
      */
+    @Thorough
     @ParameterizedTest
     @EnumSource
     void raysOfLatticesOfAnySizeAndPosition(Way way) {

@@ -2,6 +2,7 @@ package org.dronewatch.kdtree;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.TriangleMesh;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -9,6 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class TreeStructureTest {
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"hill.obj", "quadrotor.obj"})
     void treesOfModelsAreSound(String model) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.models.ProjectedArea.View;
 import org.junit.jupiter.api.Test;
 
@@ -55,6 +56,7 @@ class ProjectedAreaTest {
         assertThat(ProjectedArea.area(cylinder, View.TOP)).isCloseTo(polygon, within(1e-5));
     }
 
+    @Thorough
     @Test
     void aBallCoversADisc() {
         List<double[]> profile = new ArrayList<>();

@@ -10,6 +10,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class ShippedModelsTest {
     private static final Path SHIPPED = Path.of("models");
 
+    @Thorough
     @ParameterizedTest
     @EnumSource
     void theFilesAreWhatTheCodeMakes(ModelCatalogue model) throws IOException {
@@ -153,6 +155,7 @@ class ShippedModelsTest {
     }
 
     /** What models/README.md states is what the code computes, to the last digit that stands there. */
+    @Thorough
     @Test
     void theFiguresOfTheReadmeAreTrue() throws IOException {
         String readme = Files.readString(SHIPPED.resolve("README.md"));

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldAssessment;
@@ -301,6 +302,7 @@ class FlownWeakSpotsTest {
     }
 
     /** The slower a drone, the more looks a corner takes: not even corners may lie beyond the blind headings. */
+    @Thorough
     @ParameterizedTest
     @ValueSource(ints = {NORTH, EAST})
     void aSecondRadarIsPassedAtItsBlindHeadings(int sector) throws IOException {
@@ -311,6 +313,7 @@ class FlownWeakSpotsTest {
     }
 
     /** A canceller is blind at 8 m/s, too: straight towards it, the drone need not fly any slower. */
+    @Thorough
     @Test
     void aCancellerIsApproachedAtItsBlindSpeed() throws IOException {
         String radar = RADAR.formatted("[0, 0, 4]", 0)

@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldSite;
@@ -135,6 +136,7 @@ class OtherRoutesTest {
         return exposure.along(new RoutePath(points, Collections.nCopies(points.size() - 1, 0)));
     }
 
+    @Thorough
     @Test
     void noOtherRouteIsLessExposed() {
         long seed = LongForm.seed(41);

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
@@ -75,6 +76,7 @@ class RouteInvarianceTest {
         }
     }
 
+    @Thorough
     @ParameterizedTest
     @MethodSource("sites")
     void sensorsAddUpInAnyOrderOnAnyThreads(Site site) {
@@ -88,6 +90,7 @@ class RouteInvarianceTest {
     }
 
     /** Of every kind, on a positioner, by chance in each look and in each encounter, often and every five seconds. */
+    @Thorough
     @Test
     void sensorsOfEveryKindAddUp(@TempDir Path directory) throws IOException {
         FieldSite site = FieldSite.in(directory, FieldSite.ALL + SLOW + "alert: " + ZONE);

@@ -14,6 +14,7 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
 import org.dronewatch.analysis.field.FieldSite;
@@ -111,6 +112,7 @@ class SiteRoutesTest {
      * From the south-west, one drone in a hundred is detected in time; from elsewhere, all are detected slightly too
      * late, but times vary, so that half of the alerts are in time.
      */
+    @Thorough
     @Test
     void anAlertThatMayComeInTimeCounts() {
         RouteSurvey flown = flown(route -> route.sector() == 5
@@ -223,6 +225,7 @@ class SiteRoutesTest {
     }
 
     /** The ground is 1000 m wide: beyond, there are cells, but no route begins there. */
+    @Thorough
     @Test
     void routesBeginWhereTheGroundEnds() {
         DetectionField wide = site.field(new FieldGrid(0, 0, 1400, 40, List.of(26.0)), 2);

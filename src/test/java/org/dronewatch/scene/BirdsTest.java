@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Main;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
@@ -171,6 +172,7 @@ class BirdsTest {
     }
 
     /** The table of the page on alerts. */
+    @Thorough
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -209,6 +211,7 @@ class BirdsTest {
                 .contains(row);
     }
 
+    @Thorough
     @Test
     void labelledPicturesDistinguishBirds() throws IOException {
         runner(

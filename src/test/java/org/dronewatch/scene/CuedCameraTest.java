@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.dronewatch.Thorough;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
@@ -82,6 +83,7 @@ class CuedCameraTest {
         assertThat(blind.firstDetectionRange("cued", "intruder")).isEmpty();
     }
 
+    @Thorough
     @Test
     void itPointsWhereTheDroneIsForAnyNumberOfThreads() {
         List<Pointing> one = new ArrayList<>();

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
 import org.dronewatch.flight.FlightPathSettings;
@@ -87,6 +88,7 @@ class FalseAlarmsApartTest {
                 .toList();
     }
 
+    @Thorough
     @Test
     void whatIsMeasuredOfDronesStaysTheSame() throws IOException {
         Path calm = directory.resolve("calm");

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronewatch.Thorough;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.CatalogEntry;
 import org.dronewatch.catalog.SensorKinds;
@@ -89,6 +90,7 @@ class FormerNamesTest {
         }
     }
 
+    @Thorough
     @Test
     void aSceneWrittenByFormerNamesReadsToTheSameSettings() throws IOException {
         System.out.println("scenes by former names from seed " + SEED);

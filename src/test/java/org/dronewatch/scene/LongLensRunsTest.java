@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.util.OptionalDouble;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -26,6 +27,7 @@ class LongLensRunsTest {
                 .firstDetectionRange("cued", "intruder");
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource({
         "0, none, 722.69",

@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.drone.DroneSettings;
@@ -100,6 +101,7 @@ class ObserverRunsTest {
         return LongForm.IS_ON ? DoubleStream.of(5, 25, 50) : DoubleStream.of(5, 25);
     }
 
+    @Thorough
     @ParameterizedTest
     @MethodSource("rates")
     void asManyAreFoundAsPredictedWhateverTheFrameRate(double rate) {
@@ -124,6 +126,7 @@ class ObserverRunsTest {
                 .boxed());
     }
 
+    @Thorough
     @Test
     void anyNumberOfThreadsFindsTheSame() {
         SceneResult one =

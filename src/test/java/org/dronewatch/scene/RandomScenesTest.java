@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.catalog.Catalog;
 import org.dronewatch.catalog.SensorKinds;
 import org.dronewatch.geometry.Position;
@@ -78,6 +79,7 @@ class RandomScenesTest {
                 && Double.isFinite(Math.min(limits.to(), limits.below()));
     }
 
+    @Thorough
     @Test
     void whatIsAcceptedRunsToItsEnd() throws IOException {
         System.out.println("random scenes from seed " + SEED);

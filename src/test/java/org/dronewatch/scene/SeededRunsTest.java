@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.HashMap;
 import java.util.Map;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.drone.RadarSignature;
@@ -109,6 +110,7 @@ class SeededRunsTest {
         assertThat(probabilities.get("radar")).isCloseTo(radar, within(1e-9));
     }
 
+    @Thorough
     @Test
     void alertsAreAsFrequentAsLooksAreLikely() {
         Observation[] last = new Observation[2];
@@ -137,6 +139,7 @@ class SeededRunsTest {
         return camera.create().pixels(stage.world(), stage.dronesAt(0.0).get(0));
     }
 
+    @Thorough
     @Test
     void confirmedAlertsFollowTheBinomialAndTheSearch() {
         Outcome outcome = runs(AlertSettings.DEFAULT.withConfirmation(2, 4));
@@ -149,6 +152,7 @@ class SeededRunsTest {
                 1.0 - missed * (1.0 - found(outcome.probabilities().get("camera"), 2)));
     }
 
+    @Thorough
     @Test
     void twoSensorsInAgreementAreRarer() {
         AlertSettings both = AlertSettings.DEFAULT.withRule(new AlertRule.SeveralSensors(2, 0.0));

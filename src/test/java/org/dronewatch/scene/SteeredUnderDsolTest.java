@@ -18,6 +18,7 @@ import nl.tudelft.simulation.dsol.experiment.SingleReplication;
 import nl.tudelft.simulation.dsol.model.AbstractDsolModel;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulator;
 import nl.tudelft.simulation.dsol.simulators.DevsSimulatorInterface;
+import org.dronewatch.Thorough;
 import org.dronewatch.flight.Attitude;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.flight.FlightsFile;
@@ -242,6 +243,7 @@ class SteeredUnderDsolTest {
      * A chase that a user's model steers is recorded at its end, and replayed without it: every observation is the same
      * in all digits, those of microphones among them, which hear the hunter where it was.
      */
+    @Thorough
     @Test
     void whatAUsersModelSteersIsRecordedAndReplayed() throws IOException, InterruptedException {
         List<Observation> steered = chased("{kind: steered, start: [-120, 60, 170]}", "flights.csv", true);

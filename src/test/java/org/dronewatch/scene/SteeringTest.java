@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.Thorough;
 import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.flight.Recorded;
 import org.dronewatch.flight.Steered;
@@ -55,6 +56,7 @@ class SteeringTest {
         return Files.readAllBytes(directory.resolve(file));
     }
 
+    @Thorough
     @Test
     void recordedAndReplayedItIsObservedAsBefore() throws IOException {
         List<Observation> steered = run(new Pursuit(), 1, "one");

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.run.SceneResult;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -36,6 +37,7 @@ class AcousticRangeTest {
     /**
      * Physical ranges: where spreading and air alone bring the drone to the level of detection, and a little beyond.
      */
+    @Thorough
     @Test
     void theEnergyModelHearsItALittleBeyondTheRangeInTheOpen() {
         SceneResult result = new SceneRunner(new AcousticRange())

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.dronewatch.Thorough;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -130,6 +131,7 @@ class CameraRangeTest {
     }
 
     /** The whole flight in a smaller picture, and the frames that decide in the full one. */
+    @Thorough
     @Test
     void theFirstDetectionIsThatOfTracingEveryPixel() {
         runner.set("sensors.camera.width", "320").set("sensors.camera.height", "180");

@@ -16,6 +16,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.LookAndFeel;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.render.Yard;
 import org.dronewatch.scene.SceneRunner;
@@ -32,6 +33,7 @@ class ContrastTest {
     @TempDir
     private Path directory;
 
+    @Thorough
     @ParameterizedTest(name = "dark {0}")
     @ValueSource(booleans = {false, true})
     void allTextsHaveEnoughContrast(boolean dark) throws Exception {

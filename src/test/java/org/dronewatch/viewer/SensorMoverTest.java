@@ -104,7 +104,7 @@ class SensorMoverTest {
         assertThat(told).isEqualTo("'round' has an azimuth of 5.0 degrees and a tilt of +2.0 degrees");
         mover.select("turning");
         mover.turn(0.5, 0.0);
-        assertThat(told).startsWith("'turning' is on a positioner that turns it to the drone");
+        assertThat(told).startsWith("'turning' is on a positioner, which turns it towards the drone");
         assertThat(layout.moved()).containsExactly("round", "turning");
     }
 

@@ -17,6 +17,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JTable;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.render.Films;
 import org.dronewatch.render.Yard;
@@ -248,6 +249,7 @@ class ViewerPaneTest {
         assertThat(pane.rayPanel().count()).doesNotContain("now");
     }
 
+    @Thorough
     @Test
     void filmsOfSiteAndCameraPlayBack() throws Exception {
         open(new Yard(directory));

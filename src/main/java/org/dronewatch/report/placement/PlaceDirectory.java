@@ -122,7 +122,8 @@ public final class PlaceDirectory implements AutoCloseable {
     }
 
     /**
-     * Says at once if the layout cannot be written as a scene, whatever its sensors are: a search takes its time.
+     * Says before the search, which may take long, if the layout cannot be written as a scene, whatever its sensors
+     * are.
      *
      * @param notes receives the line
      */

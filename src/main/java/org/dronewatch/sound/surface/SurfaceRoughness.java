@@ -13,7 +13,8 @@ public final class SurfaceRoughness {
 
     /**
      * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g for which its mean over all directions,
-     * {@code 1 - (1 - exp(-g)) / g}, is the given fraction; the result never exceeds that fraction.
+     * {@code 1 - (1 - exp(-g)) / g}, is the given fraction; but at most the given fraction: where the
+     * formula gives more, near normal incidence, the result is capped.
      *
      * @param randomIncidence mean fraction over all directions, 0 to 1
      * @param cosine cosine of the angle of incidence, from the normal, 0 to 1

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
@@ -76,6 +77,7 @@ class DetectableHeightsTest {
     }
 
     /** A microphone behind boxes: where the search for heights ends, its probability passes the one asked for. */
+    @Thorough
     @Test
     void ofAMicrophoneItIsTheHeightAtWhichItsProbabilityIsReached() throws IOException {
         String ear =

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -100,6 +101,7 @@ class FieldDraftTest {
     }
 
     /** The radar takes courses with it, on which the others have to be assessed, too. */
+    @Thorough
     @Test
     void aCompleteDraftIsTheFieldOfTheMovedSensors() throws Exception {
         assess(FieldSite.ALL, GRID, FieldHeading.WORST);
@@ -119,6 +121,7 @@ class FieldDraftTest {
         }
     }
 
+    @Thorough
     @Test
     void aFineDraftHasTheBordersOfWhatIsCovered() throws Exception {
         FieldGrid grid = new FieldGrid(0, 0, 400, 4, List.of(2.0));

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.Wilson;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -179,6 +180,7 @@ class FieldFrequencyTest {
      * The sensors of packaged scenes that are not certain: radars, and an observer, who has two seconds, since he needs
      * time; radars have one look.
      */
+    @Thorough
     @ParameterizedTest
     @CsvSource({
         "scenes/meadow.yaml, intruder, 3000, 100,, camera, 2, 15",
@@ -246,12 +248,14 @@ class FieldFrequencyTest {
     }
 
     /** The noise of frames decides. */
+    @Thorough
     @Test
     void aProgramThatFindsSpotsDetectsAsOftenAsTheFieldSays() {
         assertFrequencies(thermal, COARSE, new int[] {0}, 0.0, LongForm.count(5, FEWER));
     }
 
     /** Chance decides once whether the observer of a thermal picture is able to, and then when. */
+    @Thorough
     @Test
     void theObserverOfAThermalCameraDetectsAsOftenAsTheFieldSays() {
         assertFrequencies(thermal, COARSE, new int[] {1}, 3.0, LongForm.count(3, FEWER));

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.app.Program;
 import org.junit.jupiter.api.io.TempDir;
@@ -60,6 +61,7 @@ class FreshFieldTest {
         }
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(strings = {"round", "ear"})
     void theRestIsTheFieldOfASceneThatNeverHadTheSensor(String sensor) throws IOException, InterruptedException {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -25,6 +26,7 @@ class LongLensDraftTest {
     private static final String CAMERA = "camera";
     private static final int LOOKS = 150;
 
+    @Thorough
     @Test
     void aMovedCameraSeesWhatItsPicturesShow() {
         long seed = System.nanoTime();

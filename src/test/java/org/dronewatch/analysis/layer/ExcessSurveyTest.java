@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldColumns;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -143,6 +144,7 @@ class ExcessSurveyTest {
      * large errors determine the deviation of all, so probabilities may be closer to 0.5 than the frequencies, but are
      * not farther from it. Of frequencies with the right means, none varies more than if each were 0 or 1.
      */
+    @Thorough
     @Test
     void looksOfOtherRunsDetectAsOftenAsTheProbabilitiesAddUpTo() {
         long seed = LongForm.seed(27);
@@ -270,6 +272,7 @@ class ExcessSurveyTest {
         assertThat(exact).isEqualTo(10);
     }
 
+    @Thorough
     @Test
     void theSameForAnyNumberOfThreads() {
         ExcessMap alone = survey(1, SurveyProgress.of(each, columns, cells -> {}));

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.CellCode;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
@@ -166,6 +167,7 @@ class LayerStoreTest {
     }
 
     /** While heights are searched, a microphone only finds out whether it reaches one probability: no other one. */
+    @Thorough
     @Test
     void whatIsKeptForOneProbabilityIsNotTakenForAnother() throws IOException {
         FieldSite ears = FieldSite.in(

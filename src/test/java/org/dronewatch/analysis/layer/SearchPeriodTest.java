@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.cell.ProbabilityStep;
@@ -128,6 +129,7 @@ class SearchPeriodTest {
     }
 
     /** Each look of one period of a raster that a slow positioner cannot quite follow, taken as in a run. */
+    @Thorough
     @Test
     void theMeanIsThatOfTheLooksOfARun() throws IOException {
         FieldSite site =

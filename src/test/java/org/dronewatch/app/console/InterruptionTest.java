@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program;
 import org.dronewatch.app.Program.Child;
 import org.junit.jupiter.api.Test;
@@ -21,6 +22,7 @@ class InterruptionTest {
     @TempDir
     private Path directory;
 
+    @Thorough
     @Test
     void aRunThatIsInterruptedWritesWhatItHas() throws IOException, InterruptedException {
         Path results = directory.resolve("results");

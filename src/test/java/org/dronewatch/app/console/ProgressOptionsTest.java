@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.placement.site.PlacedSite;
@@ -44,6 +45,7 @@ class ProgressOptionsTest {
         return outcome;
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource({PLACE, COVERAGE, ROUTE, CAMPAIGN, COMPARE})
     void quietCommandsPrintNothingButResults(String command) {
@@ -53,6 +55,7 @@ class ProgressOptionsTest {
         assertThat(quiet.out()).isNotBlank().isEqualTo(run(command).out());
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource({
         PLACE + ", coverage of candidates: done after",

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.app.Program;
 import org.dronewatch.app.Program.Outcome;
@@ -57,6 +58,7 @@ class RouteOptionsTest {
         assertThat(refused.err()).startsWith("--set drones.one.speed=fast: ");
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

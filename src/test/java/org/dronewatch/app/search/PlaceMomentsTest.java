@@ -13,6 +13,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.layer.LayerStore;
 import org.dronewatch.app.Program;
@@ -119,6 +120,7 @@ class PlaceMomentsTest {
         return PlacePlan.read(file, runner -> runner.store(StorePlace.NONE), note -> {});
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -132,6 +134,7 @@ class PlaceMomentsTest {
         assertWholeAtAllMoments(protectedPlan(lines), 1);
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -142,6 +145,7 @@ class PlaceMomentsTest {
         assertNamedAtAllMoments(protectedPlan(lines));
     }
 
+    @Thorough
     @Test
     void whatIsNotCompleteInTimeIsNamedOfRoutes() throws IOException {
         FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");
@@ -175,6 +179,7 @@ class PlaceMomentsTest {
     }
 
     /** Before the first layout has been compared with the routes past it, there is none. */
+    @Thorough
     @Test
     void theBestSoFarAgainstRoutesIsWhole() throws IOException {
         FieldSite.in(directory, FieldSite.ROUND + "alert: {protect: {centre: [0, 0, 15], radius: 30}}\n");

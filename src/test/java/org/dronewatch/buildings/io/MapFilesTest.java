@@ -17,6 +17,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.setting.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -140,6 +141,7 @@ class MapFilesTest {
     }
 
     /** The land cover of Monaco, too, whose buildings are the same with it. */
+    @Thorough
     @Test
     void bothFormatsGiveTheSameLandCover() throws IOException {
         MapFeatures xml = readAll(Files.readAllBytes(MONACO));

@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Floats;
 import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
@@ -278,6 +279,7 @@ public class PolygonCutterTest {
         assertThat(coveredArea()).isZero();
     }
 
+    @Thorough
     @ParameterizedTest
     @ValueSource(ints = {10_000, 100_000})
     void polygonsOfManyCornersAreCutInSeconds(int size) {

@@ -16,6 +16,7 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
@@ -172,6 +173,7 @@ class WeakestRouteSearchTest {
     }
 
     /** A flight of 2 m into the zone, say: whatever the layout is, it is no more exposed than there. */
+    @Thorough
     @Test
     void aRouteThatWasFoundOtherwiseCountsForEachLayout() throws IOException {
         PlacePlan plan = plan("budget: 4\n");
@@ -257,6 +259,7 @@ class WeakestRouteSearchTest {
     }
 
     /** Exposures are estimates: a step that raises one by less than the gap is none, and is not bought. */
+    @Thorough
     @Test
     void aStepWithinTheGapIsNotBought() throws IOException {
         BudgetFront<RoutePlacement> front = front(plan("budget: 4\n"), SolverLimits.NONE.withGap(0.9));

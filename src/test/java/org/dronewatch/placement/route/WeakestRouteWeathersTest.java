@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.site.BudgetFront;
@@ -63,6 +64,7 @@ class WeakestRouteWeathersTest {
                 .toList();
     }
 
+    @Thorough
     @Test
     void isTheBestOfAllLayoutsUnderTheWorstCondition() throws IOException {
         PlacePlan plan = plan("budget: 2\n", FieldSite.ROUND, CONDITIONS);
@@ -121,6 +123,7 @@ class WeakestRouteWeathersTest {
     }
 
     /** A condition that changes nothing does not change what is found, either. */
+    @Thorough
     @Test
     void aSingleConditionWithoutEffectChangesNothing() throws IOException {
         RoutePlacement same = WeakestRouteSearchTest.found(

@@ -15,6 +15,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.InboundWarnings;
@@ -75,6 +76,7 @@ class WarningSearchTest {
                 : times.average().orElseThrow();
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource({"worst, 4, 0, false", "mean, 4, 0, true", "worst, 8, 1, true", "mean, 5, 5, false"})
     void isTheBestOfAllLayouts(String measure, double budget, double remaining, boolean isLong) throws IOException {

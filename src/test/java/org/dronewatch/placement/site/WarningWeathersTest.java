@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.field.FieldSite;
 import org.dronewatch.analysis.field.InboundWarnings;
@@ -85,6 +86,7 @@ class WarningWeathersTest {
         return stages;
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource({"mean, -45", "worst, -11"})
     void isTheBestOfAllLayoutsUnderTheWorstCondition(String measure, String power) throws IOException {

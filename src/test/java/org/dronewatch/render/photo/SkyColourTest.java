@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.world.Light;
@@ -80,6 +81,7 @@ class SkyColourTest {
      * At a fixed exposure the zenith darkens in every colour as the sun sinks, without a step, to the light of the
      * night.
      */
+    @Thorough
     @Test
     void theZenithDarkensFromDayToNight() {
         double[] last = colour(10.25, 90, 0);

@@ -18,6 +18,7 @@ import java.util.Random;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Main;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.run.Frame;
@@ -178,6 +179,7 @@ class LabelsTest {
      * masks: a pixel shows the drone where it does so there. In the long form the pictures are as large as the scene's,
      * and the other sensors look, too.
      */
+    @Thorough
     @Test
     void masksOfMultiSensorAreTheHitsOfItsCameras() throws IOException {
         List<String> arguments = new ArrayList<>(List.of(
@@ -259,6 +261,7 @@ class LabelsTest {
     }
 
     /** A camera on a positioner with a zoom, in a sweep: labels follow where it points at each look. */
+    @Thorough
     @Test
     void labelsFollowAPositionerAndNameRuns() throws IOException {
         Path scene = directory.resolve("counted.yaml");
@@ -373,6 +376,7 @@ class LabelsTest {
     }
 
     /** A run without labels into the same directory takes those of the run before away, but nothing else. */
+    @Thorough
     @Test
     void labelsOfAnEarlierRunDoNotStay() throws IOException {
         String[] quick = {
@@ -419,6 +423,7 @@ class LabelsTest {
         assertThat(own).exists();
     }
 
+    @Thorough
     @Test
     void labelsAreTheSameForAnyNumberOfThreads() throws IOException {
         String[] quick = {

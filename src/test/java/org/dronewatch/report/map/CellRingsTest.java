@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
+import org.dronewatch.Thorough;
 import org.junit.jupiter.api.Test;
 import org.locationtech.jts.algorithm.Orientation;
 import org.locationtech.jts.geom.Coordinate;
@@ -78,6 +79,7 @@ class CellRingsTest {
     }
 
     /** Sets of every density, with corners at which cells or holes touch. */
+    @Thorough
     @Test
     void anyConnectedCellsHaveAValidOutline() {
         long seed = 20_261_125L;

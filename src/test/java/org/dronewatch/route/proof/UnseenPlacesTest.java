@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.analysis.cell.Course;
 import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.DetectionField;
@@ -150,6 +151,7 @@ class UnseenPlacesTest {
     }
 
     /** With two rows of cells in the passage, the search knows of it. */
+    @Thorough
     @Test
     void nothingIsMissingInCellsThatAreSmallEnough() throws IOException {
         assertThat(places(2.0, "0 m/s", 2).unseen()).isZero();

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.exposure.LegMotion;
@@ -103,6 +104,7 @@ class ClosedFormTest {
      * sqrt 2), (pi/2, pi/2), (pi / sqrt 2, sqrt 2), since inversion at the circle exchanges the two. The first length
      * is that of the straight line: only an infinite price of time would enforce it, and the corridor is the bound.
      */
+    @Thorough
     @ParameterizedTest
     @CsvSource({
         "1.4142135623730951, 2.221441469079183, 0.02, 0.02",

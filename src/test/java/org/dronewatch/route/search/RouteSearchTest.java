@@ -9,6 +9,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntPredicate;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.exposure.GaussRule;
@@ -353,6 +354,7 @@ class RouteSearchTest {
     }
 
     /** Only exposure that leaves enough time for a response counts: up to states from which a goal is that near. */
+    @Thorough
     @Test
     void soDoThousandInTime() {
         long seed = 4713;
@@ -387,6 +389,7 @@ class RouteSearchTest {
         return reachable;
     }
 
+    @Thorough
     @Test
     void theBoundIsAboveNeitherTheRouteOverNodesNorTheSmoothedOne() {
         long seed = 4712;

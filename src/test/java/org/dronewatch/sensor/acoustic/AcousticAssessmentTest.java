@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.random.RandomGenerator;
 import java.util.stream.DoubleStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -93,6 +94,7 @@ class AcousticAssessmentTest {
     }
 
     /** Below a ceiling, a drone behind a wall is heard if the one ray goes up and not too far. */
+    @Thorough
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void theFractionOfTracesIsThatOfLooksAndScattersAsItSays(boolean isCoarse) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.positioner.Direction;
 import org.dronewatch.run.Frame;
@@ -31,6 +32,7 @@ class ListeningPostTest {
     }
 
     /** The camera looks south at first, and the drone comes from the north-east. */
+    @Thorough
     @Test
     void theArrayTurnsTheCameraToTheDrone() {
         assertThat(scene().run().firstDetectionRange("eye", "quadrotor").orElseThrow())
@@ -43,6 +45,7 @@ class ListeningPostTest {
      * The direction is that to where the drone was when the sound left it, with errors as stated, drawn anew in each
      * look.
      */
+    @Thorough
     @Test
     void directionsAreThoseOfTheSoundAsItLeft() {
         List<Frame> frames = new ArrayList<>();

@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleToIntFunction;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.flight.FlightState;
 import org.dronewatch.geometry.Position;
@@ -79,6 +80,7 @@ class CameraBoundsTest {
                 Shapes.sphere(0.15, 4)));
     }
 
+    @Thorough
     @ParameterizedTest
     @MethodSource("cameras")
     void boundsHold(String name, CameraSettings settings, Drone drone) {

@@ -10,6 +10,7 @@ import static org.dronewatch.sensor.Walls.wall;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.dronewatch.Thorough;
 import org.dronewatch.Wilson;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
@@ -64,6 +65,7 @@ class ThermalAssessmentTest {
     }
 
     /** At 25 frames a second: a frame finds the drone for 1 - exp(-P 0.04/3.4) of those observers who can at all. */
+    @Thorough
     @ParameterizedTest
     @ValueSource(doubles = {700, 900, 1200})
     void byChanceALookFindsAsOftenAsObserversCanAndHaveTime(double distance) {

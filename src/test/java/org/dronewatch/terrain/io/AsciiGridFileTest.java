@@ -100,7 +100,7 @@ class AsciiGridFileTest {
         assertThatThrownBy(() -> all(open(HEADER + "1 2 " + "9".repeat(1000) + " 4 5 6")))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining("dem.asc:6")
-                .hasMessageContaining("at most 64 characters");
+                .hasMessageContaining("a number of more than 64 characters");
     }
 
     @Test

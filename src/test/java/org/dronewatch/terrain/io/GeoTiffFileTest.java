@@ -242,7 +242,7 @@ class GeoTiffFileTest {
                     fixture.lies.put(257, 16_000_000L);
                     fixture.lies.put(278, 16_000_000L);
                 },
-                "block of 16000000 x 16000000");
+                "blocks of 16000000 x 16000000");
         refused(fixture -> fixture.lies.put(257, 10_000_000L), "blocks", "damaged");
         refused(fixture -> fixture.lies.put(258, 64L), "damaged");
         refused(fixture -> fixture.lies.put(278, 1L), "29 blocks");

@@ -26,9 +26,10 @@ public final class Losses {
     private final List<String> sensors;
 
     /**
-     * A figure of all heights beside those of each height, which count other headings.
+     * A figure for all heights together, which stands beside those of single heights although it is based on other
+     * headings of the drone than they are.
      *
-     * @param introduction says so, in sentences
+     * @param introduction sentences that explain this difference
      * @param coverage what the figures of each height are, such as {@code the coverage of inbound flight}
      * @param head heading of its column
      * @param all with all sensors

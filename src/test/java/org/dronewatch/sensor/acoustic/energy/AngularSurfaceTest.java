@@ -6,6 +6,7 @@ import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sound.Atmosphere;
@@ -95,6 +96,7 @@ class AngularSurfaceTest {
      * One plane that only scatters, by brute force over its area: what a point sends on is {@code r(in) r(out) / (pi
      * r(mean))}, the one product that works both ways and keeps the energy.
      */
+    @Thorough
     @Test
     void whatIsScatteredFollowsTheAngleBothWays() {
         double half = 60;
@@ -136,6 +138,7 @@ class AngularSurfaceTest {
     }
 
     /** A room whose walls scatter: nothing is lost or gained, whatever the angle. */
+    @Thorough
     @Test
     void theEnergyBalances() {
         World room = Sites.world(Sites.room(10, 8, 4), wall(0.6));

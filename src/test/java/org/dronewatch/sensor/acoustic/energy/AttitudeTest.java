@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sound.OctaveBands;
@@ -62,6 +63,7 @@ class AttitudeTest {
     }
 
     /** A drone before two rooms with an open door from one to the other and one outside; walls let some sound pass. */
+    @Thorough
     @Test
     void roomsWithDoorsAndThinWallsSoundTheSameInAnyAttitude() {
         SurfaceMaterial wall = SurfaceMaterial.uniform("wall", 0.2, 0.3).withTransmissionLoss(20, Wall.SHEET);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronewatch.Thorough;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
 import org.dronewatch.sensor.Observation;
@@ -48,6 +49,7 @@ class BrickDoorTest {
     }
 
     /** The mean of 10 looks has a standard error of 0.04 dB, the reference one of 0.03. */
+    @Thorough
     @Test
     void microphoneAndDroneMayBeExchanged() {
         List<Observation> inside = looks(INSIDE, OUTSIDE);
@@ -59,6 +61,7 @@ class BrickDoorTest {
     }
 
     /** With more rays, fewer image sources would be worth joining: they must be joined nevertheless. */
+    @Thorough
     @Test
     void moreRaysLoseNothing() {
         List<Observation> looks = looks(runner(OUTSIDE, INSIDE).set("sensors.microphone.propagation.rays", "100000"));

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -60,6 +61,7 @@ class CanyonTest {
      * probability 0.15 at each surface, and counted those that had been scattered in a ball of 1.4 m about the
      * microphone: 22.95 dB(A), standard error 0.04 dB.
      */
+    @Thorough
     @Test
     void whatIsScatteredAgreesWithAnIndependentSimulation() {
         SoundSites site = SoundSites.canyon();

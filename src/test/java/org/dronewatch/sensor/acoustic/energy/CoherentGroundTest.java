@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.DoubleBinaryOperator;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -132,6 +133,7 @@ class CoherentGroundTest {
     }
 
     /** Both ends exchanged, on hilly ground: the same gains. */
+    @Thorough
     @Test
     void hearingIsReciprocal() {
         DoubleBinaryOperator height = (x, y) -> 3 * Math.sin(x / 60) * Math.cos(y / 45) + 0.02 * x;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.RayRecorder;
@@ -63,6 +64,7 @@ class CourtyardTest {
         }
     }
 
+    @Thorough
     @ParameterizedTest
     @EnumSource
     void whatIsScatteredAgreesWithRandomWalks(Courtyard yard) {

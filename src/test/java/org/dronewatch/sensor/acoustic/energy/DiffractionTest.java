@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.RayRecorder;
@@ -188,6 +189,7 @@ class DiffractionTest {
     }
 
     /** Through the shadow's border in steps of 1 mm: 4.77 dB there, and no step in any band. */
+    @Thorough
     @ParameterizedTest
     @EnumSource(names = "OFF", mode = EnumSource.Mode.EXCLUDE)
     void nothingJumpsAtTheShadowsBorder(Diffraction method) {

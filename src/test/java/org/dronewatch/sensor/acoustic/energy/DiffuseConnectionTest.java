@@ -7,6 +7,7 @@ import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
 
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -72,6 +73,7 @@ class DiffuseConnectionTest {
     }
 
     /** Near the ground and far away, and high up: from the sensor it takes few rays, wherever the source is. */
+    @Thorough
     @ParameterizedTest
     @CsvSource({"0, 500, 40, 1.5", "0, 30, 3, 1.5", "0, 200, 100, 20"})
     void aPlaneThatScattersSendsItsIntegral(double x, double y, double z, double height) {

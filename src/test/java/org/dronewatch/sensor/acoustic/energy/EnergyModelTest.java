@@ -13,6 +13,7 @@ import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -139,6 +140,7 @@ class EnergyModelTest {
      * The same room with scattering walls, without air (here at 63 Hz, where air takes 0.09 dB/km). Means, standard
      * errors and T30 of an independent energy-conserving Monte Carlo simulation of 400,000 rays.
      */
+    @Thorough
     @ParameterizedTest
     @CsvSource({
         "0.1, 7, 5, 1.7, 12.452, 0.031, 0.8801",
@@ -167,6 +169,7 @@ class EnergyModelTest {
     }
 
     /** The level must scatter as its standard error says: the spread of many readings against the mean stated error. */
+    @Thorough
     @Test
     void theStandardErrorIsHonest() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.3, 0.5));
@@ -186,6 +189,7 @@ class EnergyModelTest {
     }
 
     /** Neither the number of rays nor where chance begins moves the level beyond what the standard errors allow. */
+    @Thorough
     @Test
     void theLevelDoesNotDependOnHowItIsEstimated() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.1, 0.3));
@@ -203,6 +207,7 @@ class EnergyModelTest {
         }
     }
 
+    @Thorough
     @Test
     void sourceAndSensorMayChangePlaces() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
@@ -230,6 +235,7 @@ class EnergyModelTest {
      * One ray carries all bands, and chance chooses one branch for them together: each band must come out as if it were
      * alone, where walls absorb, scatter and transmit each band otherwise.
      */
+    @Thorough
     @Test
     void eachBandIsAsIfItWereAlone() {
         List<Double> absorption = List.of(0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7);

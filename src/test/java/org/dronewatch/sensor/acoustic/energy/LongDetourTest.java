@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LOWEST;
 import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
 
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sound.Atmosphere;
 import org.dronewatch.sound.Barrier;
@@ -36,6 +37,7 @@ class LongDetourTest {
     }
 
     /** Where the detour is short, as round barriers, the curve alone counts; from there on nothing jumps. */
+    @Thorough
     @Test
     void nothingJumpsWhereTheDetourBecomesLong() {
         double before = Double.NaN;

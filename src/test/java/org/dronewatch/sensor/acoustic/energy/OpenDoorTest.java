@@ -8,6 +8,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.RayRecorder;
@@ -90,6 +91,7 @@ class OpenDoorTest {
         return World.merge(parts);
     }
 
+    @Thorough
     @ParameterizedTest
     @EnumSource
     void readingsAgreeWithRandomWalksWhicheverEndIsInside(House house) {
@@ -160,6 +162,7 @@ class OpenDoorTest {
      * Rays that begin at a drone in the house carry its directivity. A random walk from there, each ray weighted by the
      * factor of its first direction at 1 kHz, finds 0.51 dB less than without.
      */
+    @Thorough
     @Test
     void aDroneInTheHouseIsHeardByItsDirectivity() {
         World world = House.ONE_ROOM_WITH_A_WIDE_DOOR.world;

@@ -9,6 +9,7 @@ import java.util.Random;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.energy.EnergyModel.Criterion;
@@ -76,6 +77,7 @@ class RandomPlacesErrorTest {
     }
 
     /** 25 readings each way tell whether many are beyond three errors; in the long form two hundred tell the rest. */
+    @Thorough
     @ParameterizedTest
     @EnumSource
     void whereFewRaysContributeMuch(Place place) {
@@ -96,6 +98,7 @@ class RandomPlacesErrorTest {
      * form a hundred at forty tell each place. Of so many places some are outside by chance: at most as many as would
      * be in 999 of 1,000 repetitions (binomial) if one reading in a hundred were beyond three errors.
      */
+    @Thorough
     @Test
     void atRandomPlaces() {
         SplittableRandom random = new SplittableRandom(SEED);

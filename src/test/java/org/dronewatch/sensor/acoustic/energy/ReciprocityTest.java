@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.RayRecorder;
@@ -66,6 +67,7 @@ class ReciprocityTest {
      * A drone behind a house and a microphone before it, between walls that mirror, over grass that scatters half: ten
      * readings each way, so that their means are within the error of a tenth of a decibel.
      */
+    @Thorough
     @Test
     void overGrassThatScattersBetweenWallsThatMirror() {
         SurfaceMaterial grass = SurfaceMaterial.uniform("grass", 0.3, 0.5);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.ThreadLocalRandom;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.kdtree.KDTree;
@@ -99,6 +100,7 @@ class RefractionTest {
     }
 
     /** No step at the border, never louder behind it, and 20 to 25 dB in the end, over hard ground and over grass. */
+    @Thorough
     @ParameterizedTest
     @EnumSource(Ground.class)
     void theLevelFallsFromTheBorderWithoutAStep(Ground ground) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.surface.SurfaceMaterial;
@@ -64,6 +65,7 @@ class ReverberationTest {
      * Over 24 seeds (40 in the long form), times scatter as much as they say: the limits are those of the energy
      * model's other errors.
      */
+    @Thorough
     @Test
     void theErrorIsHonest() {
         World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));

@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.acoustic.propagation.Diffraction;
@@ -93,6 +94,7 @@ class TouchingSolidsTest {
         }
     }
 
+    @Thorough
     @ParameterizedTest
     @EnumSource
     void eachTakesItsLossOncePerPassage(Between between) {
