@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -72,6 +73,7 @@ class FailureTest {
     }
 
     /** A picture that takes nearly all of the 40 MB that Java has. */
+    @Thorough
     @Test
     void aPictureThatDoesNotFitIntoMemoryIsOneLine() throws IOException, InterruptedException {
         String scene =

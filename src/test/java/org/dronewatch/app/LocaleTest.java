@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Child;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -93,6 +94,7 @@ class LocaleTest {
         }
     }
 
+    @Thorough
     @Test
     void noFileDependsOnThePlace() throws IOException, InterruptedException {
         List<String> english = List.of("-Duser.language=en", "-Duser.country=US", "-Duser.timezone=UTC");

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.dronewatch.LongForm;
+import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Child;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.Test;
@@ -74,6 +75,7 @@ class SignalTest {
      * The seed gives the moments, from before the program has begun to after it has ended. In the build each signal has
      * its own stage.
      */
+    @Thorough
     @ParameterizedTest
     @CsvSource({"INT, 130, 2, 0", "TERM, 143, 1, 1"})
     void aRunEndsWithTheCodeOfTheSignalAtAnyMoment(String signal, int code, long seed, int stage) throws Exception {
@@ -120,6 +122,7 @@ class SignalTest {
         }
     }
 
+    @Thorough
     @Test
     void aLongLookEndsAtOnceAndTheRowsBeforeItStay() throws Exception {
         try (Child child = Program.start(
@@ -165,6 +168,7 @@ class SignalTest {
         }
     }
 
+    @Thorough
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

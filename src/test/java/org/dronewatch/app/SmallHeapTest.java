@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.zip.GZIPOutputStream;
+import org.dronewatch.Thorough;
 import org.dronewatch.buildings.io.MapArea;
 import org.dronewatch.buildings.io.MapFiles;
 import org.dronewatch.buildings.io.PbfWriter;
@@ -219,6 +220,7 @@ class SmallHeapTest {
         refused.put("long.glb", HALF);
     }
 
+    @Thorough
     @Test
     void whatUnpacksToMoreThanThereIsIsRefusedInOneLine() throws IOException, InterruptedException {
         writeMaps();

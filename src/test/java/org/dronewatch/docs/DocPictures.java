@@ -111,8 +111,8 @@ final class DocPictures {
             new DocPicture("radar-crossing", directory -> CrossingPlot.draw(), false),
             new DocPicture("false-alerts", directory -> FalseAlertsPlot.draw(), true),
             new DocPicture("viewer-gallery", directory -> PaintedWindow.gallery(), false),
-            window("viewer", "multi-sensor", 25.3),
-            window("cued-camera", "scenes/cued-camera.yaml", 4.0),
+            slow(window("viewer", "multi-sensor", 25.3)),
+            slow(window("cued-camera", "scenes/cued-camera.yaml", 4.0)),
             new DocPicture(
                     "viewer-settings",
                     directory -> PaintedWindow.settings(
@@ -132,7 +132,7 @@ final class DocPictures {
                             "multi-sensor",
                             WIDTH,
                             HEIGHT),
-                    false),
+                    true),
             new DocPicture(
                     "viewer-tape",
                     directory -> PaintedWindow.measuring(

@@ -18,9 +18,10 @@ import org.dronewatch.route.search.WeakestRoute;
  * The weakest routes of a site by the looks along them. First the looks along each route that the search has found are
  * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
  * search is repeated with {@link UnforeseenExposure the exposure} that they have revealed added to its own, and the
- * looks along its routes are assessed as well. Where detections come too late, the looks along the routes that are least exposed
- * {@linkplain SiteRoutes#throughout all the way} are assessed, too. From each sector, the weakest route is kept, in the
- * order of {@link RouteSurvey#weakestFirst}; in a tie, the one that was found first. For use by one thread at a time.
+ * looks along its routes are assessed as well. Where detections come too late, the looks along the routes that are least
+ * exposed {@linkplain SiteRoutes#throughout all the way} are assessed, too. From each sector, the weakest route is kept,
+ * in the order of {@link RouteSurvey#weakestFirst}; in a tie, the one that was found first. For use by one thread at a
+ * time.
  */
 public final class RepeatedSearch {
     /** The greatest number of times that the search is repeated. */
@@ -75,8 +76,8 @@ public final class RepeatedSearch {
      * Searches, for the sectors from which detections come too late, for the routes that are least exposed all the way,
      * and assesses the looks along them: on these routes, a detection in time may be just as likely, but a detection at
      * any time, late ones included, is less likely. This search, too, is repeated with the exposure that the looks
-     * reveal added. It is made once for each sector; this method has to be called again after the search for detections in time has been
-     * {@linkplain #repeat repeated}.
+     * reveal added. It is made once for each sector; this method has to be called again after the search for detections
+     * in time has been {@linkplain #repeat repeated}.
      *
      * @param progress receives 1 after each search, of which there are at most {@link #MOST} + 1
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
