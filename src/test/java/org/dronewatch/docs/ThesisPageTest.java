@@ -320,8 +320,8 @@ class ThesisPageTest {
     }
 
     /**
-     * Minutes of work, for the CI and for whoever changes the page: the same command without one of its overrides prints something else, or writes what the row
-     * names.
+     * Minutes of work, for the CI and for whoever changes the page: the same command without one of its overrides
+     * prints something else, or writes what the row names.
      */
     @Test
     @EnabledIfSystemProperty(named = "dronewatch.commands", matches = "run")
