@@ -66,7 +66,7 @@ public abstract class RayTracer {
 
     /**
      * Whether any triangle lies strictly between two ray parameters. Since rounding moves computed points slightly off
-     * their surface, leave a margin at both ends between points on surfaces.
+     * their surface, leave a margin at both ends of a segment between points on surfaces.
      */
     public final boolean isOccluded(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
@@ -123,7 +123,7 @@ public abstract class RayTracer {
     }
 
     /**
-     * Traces the current ray and stores the hit, with {@link #setHit} or in the intersection; for the kernel's
+     * Traces the current ray and stores the hit: tracers in other packages do so with {@link #setHit}; for the kernel's
      * packages.
      *
      * @param tMin the smallest ray parameter that counts

@@ -14,7 +14,7 @@ package org.dronewatch.sensor;
  * <p>at any frame rate: each picture covers the time since the last one, and the search is memoryless, so the success
  * in each picture can be drawn independently. The search time is that of the ACQUIRE model (Howe, in "The Infrared and
  * Electro-Optical Systems Handbook", vol. 4, 1993). Observers differ, and each of them searches at random: these are
- * two separate random effects, and tests with observers show both (sources on the page about cameras).
+ * two separate random effects, and tests with observers show both (the documentation of cameras has the sources).
  *
  * <p>Once found, the drone remains detected while {@code P >= u}, without another search. An encounter begins when a
  * drone can be seen at all (P above 0), and ends once it has been out of sight for more than {@link #GAP}: if it comes

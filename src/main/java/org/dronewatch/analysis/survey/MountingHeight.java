@@ -15,7 +15,7 @@ public record MountingHeight(double metres, Blocker surface) {
     /** Sensors may stand exactly on a surface; the search begins this much above them, m. */
     private static final double CLEAR = 1e-3;
 
-    /** Of a position; empty if there is no surface below it. */
+    /** The mounting height of a position; empty if there is no surface below it. */
     public static Optional<MountingHeight> at(Position position, Stage stage) {
         Position from = new Position(position.x(), position.y(), position.z() + CLEAR);
         Position to = new Position(position.x(), position.y(), -2.0 * In.FARTHEST);

@@ -55,7 +55,7 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
         this.bar = bar.apply(this::left);
     }
 
-    /** Counts cases that took no time, which the rate does not include. */
+    /** Counts cases whose results are those of an earlier run; the rate does not include them. */
     @Override
     public synchronized void kept(int cases) {
         kept += cases;

@@ -30,7 +30,7 @@ public interface PlaceMeasure {
         return "";
     }
 
-    /** On which headings the values of a table are based, in a sentence and a space; or an empty text. */
+    /** On which headings the values of a table are based, as a sentence followed by a space; or an empty text. */
     default String headingsOfTable() {
         return "";
     }

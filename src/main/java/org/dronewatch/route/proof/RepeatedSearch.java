@@ -15,13 +15,13 @@ import org.dronewatch.route.SiteRoutes;
 import org.dronewatch.route.search.WeakestRoute;
 
 /**
- * The weakest routes of a site by the looks along them. First the looks along each route that the search has found are
- * assessed. Where they detect the drone more often than the search expected ({@link SectorRoute#isUnderestimated}), the
- * search is repeated with {@link UnforeseenExposure the exposure} that they have revealed added to its own, and the
- * looks along its routes are assessed as well. Where detections come too late, the looks along the routes that are least
- * exposed {@linkplain SiteRoutes#throughout all the way} are assessed, too. From each sector, the weakest route is kept,
- * in the order of {@link RouteSurvey#weakestFirst}; in a tie, the one that was found first. For use by one thread at a
- * time.
+ * Finds the weakest routes of a site, judged by the looks along them. First the looks along each route that the search
+ * has found are assessed. Where they detect the drone more often than the search expected
+ * ({@link SectorRoute#isUnderestimated}), the search is repeated with {@link UnforeseenExposure the exposure} that they
+ * have revealed added to its own, and the looks along its routes are assessed as well. Where detections come too late,
+ * the looks along the routes that are least exposed {@linkplain SiteRoutes#throughout all the way} are assessed, too.
+ * From each sector, the weakest route is kept, in the order of {@link RouteSurvey#weakestFirst}; in a tie, the one that
+ * was found first. For use by one thread at a time.
  */
 public final class RepeatedSearch {
     /** The greatest number of times that the search is repeated. */

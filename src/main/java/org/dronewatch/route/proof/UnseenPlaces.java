@@ -9,11 +9,11 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * Whether the cells of a search are small enough for its site: at how many of the {@linkplain FieldSample places} tried
  * between the centres of the cells no sensor detects a drone in one of its modes of flight, although in this mode it is
- * detected in every cell around them, so that even the lower bound of the exposure counts on it. A passage that is
- * narrower than a cell may lead there.
+ * detected in every cell around them, so that even the lower bound on the exposure assumes a detection there. A
+ * passage that is narrower than a cell may lead there.
  *
  * @param tried number of places at which the drone can be
- * @param unseen number of those at which, in some mode, no sensor detects it, but the lower bound counts on a detection
+ * @param unseen number of those at which, in some mode, no sensor detects it, but the lower bound assumes a detection
  */
 public record UnseenPlaces(int tried, int unseen) {
     /**

@@ -18,8 +18,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param azimuthBeamwidth half-power beamwidth in azimuth, 0.01 to 360 degrees, rad
  * @param elevationBeamwidth half-power beamwidth in elevation, 0.01 to 180 degrees, rad
  * @param sideLobes level of the side lobes below that of the main lobe, 0 to 100 dB one way
- * @param steering angles in which the beam is steered towards its target; in the others it stays on the axis of the
- *     radar
+ * @param steering planes, azimuth and elevation, in which the beam is steered towards its target; in the other plane it
+ *     stays on the axis of the radar
  * @param scanLoss exponent of the scan loss one way, 0 to 5; 0 for an antenna that is rotated mechanically
  */
 public record BeamPattern(
@@ -34,7 +34,7 @@ public record BeamPattern(
      */
     private static final double LEAST_COSINE = 1e-3;
 
-    /** The angles in which a beam is steered. */
+    /** The planes in which a beam is steered. */
     public enum Steering {
         /** No steering: the beam stays on the axis. */
         NONE,
@@ -54,7 +54,7 @@ public record BeamPattern(
     }
 
     /**
-     * A beam steered in both angles, with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1) and a scan loss with the
+     * A beam steered in both planes, with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1) and a scan loss with the
      * exponent 1.5, which is assumed.
      */
     @Defaults({"azimuthBeamwidth", "elevationBeamwidth"})
@@ -67,7 +67,7 @@ public record BeamPattern(
         return SettingsForm.with(this, "sideLobes", decibels);
     }
 
-    /** This beam, steered in other angles. */
+    /** This beam, steered in other planes. */
     public BeamPattern withSteering(Steering other) {
         return SettingsForm.with(this, "steering", other);
     }

@@ -42,8 +42,8 @@ public sealed interface LinkBudget {
 
     /**
      * The lower of the gains of the radar's antennas, dBi; empty if it is not stated. The beams of the antenna with the
-     * higher gain are narrower, and several of them fit into one of the other, so the lower gain determines the number
-     * of beam positions.
+     * higher gain are narrower, and several of them fit into one beam of the other antenna, so the lower gain
+     * determines the number of beam positions.
      */
     OptionalDouble lowerGain();
 
@@ -104,12 +104,12 @@ public sealed interface LinkBudget {
 
         /**
          * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2
-         * or 3 dB to 10 dB and more), losses of 6 dB and a sweep of 10 MHz. The losses are those of processing alone:
-         * a beam-shape loss of 2.5 dB, since a scanned beam rarely points straight at the drone (a Gaussian beam in two
-         * dimensions: D. K. Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming weighting in range and
-         * in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since the threshold is estimated
-         * from 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Those of lines and radome are not
-         * included.
+         * or 3 dB to 10 dB and more), losses of 6 dB and a sweep of 10 MHz. The losses are those of scanning and
+         * processing alone: a beam-shape loss of 2.5 dB, since a scanned beam rarely points straight at the drone (a
+         * Gaussian beam in two dimensions: D. K. Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming
+         * weighting in range and in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since the
+         * threshold is estimated from 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Those of lines and
+         * radome are not included.
          */
         @Defaults({"power", "gain", "integrationTime"})
         public static Hardware of(double power, double gain, double integrationTime) {

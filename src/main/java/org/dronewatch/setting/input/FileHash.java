@@ -10,7 +10,7 @@ import java.util.HexFormat;
 /**
  * The name of a file with the hash of its bytes when it was read.
  *
- * @param file name of the file, without the directories of the machine
+ * @param file name of the file, without directories that differ from machine to machine
  * @param sha256 SHA-256 of its bytes, 64 hexadecimal digits in lower case
  */
 public record FileHash(String file, String sha256) {
