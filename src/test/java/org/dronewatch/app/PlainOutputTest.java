@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.dronewatch.scene.SceneFile;
 import org.dronewatch.scene.SceneRunner;
@@ -86,7 +85,6 @@ class PlainOutputTest {
     }
 
     /** A number of the program has the same digits everywhere. */
-    @Thorough
     @Test
     void tablesDoNotDependOnTheLocale() {
         String english = Program.run("check", "camera-range").out();

@@ -122,7 +122,6 @@ class SignalTest {
         }
     }
 
-    @Thorough
     @Test
     void aLongLookEndsAtOnceAndTheRowsBeforeItStay() throws Exception {
         try (Child child = Program.start(

@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import org.dronewatch.Thorough;
 import org.dronewatch.docs.SitePages.Link;
 import org.dronewatch.docs.SitePages.Text;
 import org.junit.jupiter.api.Test;
@@ -43,7 +42,6 @@ class DocLinksTest {
         return anchored && !text(file).headings().containsKey(link.fragment().substring(1)) ? "no such heading" : "";
     }
 
-    @Thorough
     @Test
     void linksLeadSomewhere() throws IOException {
         List<String> broken = new ArrayList<>();

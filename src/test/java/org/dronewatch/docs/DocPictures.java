@@ -286,7 +286,8 @@ final class DocPictures {
                         run(command, written);
                         WRITTEN.put(command, pictures(written));
                     }
-                    return WRITTEN.get(command).get(map);
+                    return Optional.ofNullable(WRITTEN.get(command).get(map))
+                            .orElseThrow(() -> new IllegalStateException(command + " does not write " + map));
                 },
                 false);
     }
