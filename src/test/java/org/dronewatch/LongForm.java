@@ -1,7 +1,7 @@
 package org.dronewatch;
 
 /**
- * Checks that are repeated at many places or moments are repeated less often in the build. Their long form:
+ * Checks that are repeated at many places or moments are repeated less often by default. Their long form:
  * {@code mvn -q test -Dtest=NAME -Ddronewatch.long=true}.
  */
 public final class LongForm {

@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.dronewatch.Thorough;
 import org.dronewatch.app.Program.Outcome;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,7 +31,6 @@ class FullDiskTest {
     }
 
     /** The larger ones fail late: in the tables, in a plot, in the report. */
-    @Thorough
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',

@@ -110,7 +110,6 @@ class SeededRunsTest {
         assertThat(probabilities.get("radar")).isCloseTo(radar, within(1e-9));
     }
 
-    @Thorough
     @Test
     void alertsAreAsFrequentAsLooksAreLikely() {
         Observation[] last = new Observation[2];

@@ -297,6 +297,9 @@ class ViewerPaneTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> FilmExport.film(viewed, "0", "soon", "25", "1"))
                 .withMessage("end time 'soon': must be a number");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> FilmExport.film(viewed, "0", "9", "2.5", "1"))
+                .withMessage("frames per second '2.5': must be a whole number");
     }
 
     private List<Path> files() throws IOException {

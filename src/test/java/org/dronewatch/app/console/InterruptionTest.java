@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.dronewatch.Thorough;
 import org.dronewatch.app.Program;
 import org.dronewatch.app.Program.Child;
 import org.junit.jupiter.api.Test;
@@ -22,7 +21,6 @@ class InterruptionTest {
     @TempDir
     private Path directory;
 
-    @Thorough
     @Test
     void aRunThatIsInterruptedWritesWhatItHas() throws IOException, InterruptedException {
         Path results = directory.resolve("results");

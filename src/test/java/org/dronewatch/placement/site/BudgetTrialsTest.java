@@ -32,6 +32,10 @@ class BudgetTrialsTest {
     private SitePlacement whole;
     private BudgetFront<SitePlacement> front;
 
+    private static String named(List<Double> budgets) {
+        return budgets.size() == 1 ? "this budget" : "these budgets";
+    }
+
     private void search(String lines, int budgets) throws IOException {
         search(PlacedSite.in(directory, lines), budgets);
     }
@@ -106,7 +110,8 @@ class BudgetTrialsTest {
         assertThat(tried.all()).isFalse();
         assertThat(results.lines())
                 .contains(tried.count() + " budgets were tried: a better buy may lie between two of them.")
-                .anyMatch(line -> line.startsWith("No layout meets the conditions for "));
+                .anyMatch(line -> line.startsWith(
+                        "No layout meets the conditions for " + named(tried.infeasible()) + ", which "));
         assertThat(results.toJson().get("budgets").get("infeasible"))
                 .hasSize(tried.infeasible().size());
     }
@@ -142,7 +147,8 @@ class BudgetTrialsTest {
         assertThat(front.best().value()).isEqualTo(whole.value());
         assertThat(front.stopped()).contains(new TimeStop(0.05, 0.001, true, true));
         assertThat(results.lines())
-                .anyMatch(line -> line.startsWith("The search ended before it found a layout for "))
+                .anyMatch(line -> line.startsWith("The search ended before it found a layout for "
+                        + named(front.tried().unknown())))
                 .noneMatch(line -> line.startsWith("No layout meets the conditions"))
                 .contains("The layout for the whole budget reached the gap of 0.1 %; the time limit of 0.05 s ended the"
                         + " search for cheaper layouts.");

@@ -22,6 +22,17 @@ class FrontWordsTest {
     }
 
     @Test
+    void oneBudgetIsNotSeveral() {
+        FrontWords words = new FrontWords(MEASURE, true);
+
+        assertThat(words.tried(new TriedBudgets(3, List.of(5.0), false), PlaceWords::money))
+                .contains("No layout meets the conditions for this budget, which was also tried: 5.");
+        assertThat(words.tried(new TriedBudgets(3, List.of(), List.of(5.0, 6.0), true), PlaceWords::money))
+                .contains("The search ended before it found a layout for these budgets, so it is not known whether one"
+                        + " meets the conditions: 5 and 6.");
+    }
+
+    @Test
     void whereNothingIsAskedForNoConditionsAreNamed() {
         TriedBudgets tried = new TriedBudgets(3, List.of(), List.of(5.0), true);
 

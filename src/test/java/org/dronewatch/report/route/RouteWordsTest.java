@@ -21,6 +21,7 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.statistics.Proportion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 
@@ -92,6 +93,24 @@ class RouteWordsTest extends RouteSamples {
 
         assertThat(reasons.inWords(missed(weak, Map.of("slow", weak, "slower", weak))))
                 .contains("too small, faint or quiet for the sensors most of the time");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "TOO_WEAK | 0 | too small, faint or quiet for the sensors all the time",
+                "TOO_WEAK | 20 | too small, faint or quiet for the sensors part of the time",
+                "SILENT | 0 | emitting nothing that the sensors can detect",
+                "SILENT | 5 | mostly emitting nothing that the sensors can detect",
+                "SILENT | 20 | part of the time emitting nothing that the sensors can detect",
+            })
+    void howOftenACauseAppliesIsStated(Cause cause, double detected, String words) {
+        CauseTimes times =
+                new CauseTimes(detected == 0.0 ? Map.of(cause, 10.0) : Map.of(cause, 10.0, Cause.DETECTED, detected));
+
+        assertThat(new RouteReasons(inputs.settings()).inWords(missed(times, Map.of("slow", times, "slower", times))))
+                .contains(words);
     }
 
     @Test

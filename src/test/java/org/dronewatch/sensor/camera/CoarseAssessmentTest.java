@@ -8,7 +8,6 @@ import static org.dronewatch.sensor.Walls.wall;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
-import org.dronewatch.Thorough;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.mesh.io.ModelRole;
@@ -37,7 +36,6 @@ class CoarseAssessmentTest {
     }
 
     /** Cubes before, beside and behind the edge of a wall, near and far, some of them partly hidden. */
-    @Thorough
     @ParameterizedTest
     @MethodSource("functions")
     void probabilityAndCauseAreTheSame(DetectionFunction detection) {
