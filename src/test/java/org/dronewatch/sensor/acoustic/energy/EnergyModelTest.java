@@ -140,7 +140,6 @@ class EnergyModelTest {
      * The same room with scattering walls, without air (here at 63 Hz, where air takes 0.09 dB/km). Means, standard
      * errors and T30 of an independent energy-conserving Monte Carlo simulation of 400,000 rays.
      */
-    @Thorough
     @ParameterizedTest
     @CsvSource({
         "0.1, 7, 5, 1.7, 12.452, 0.031, 0.8801",
