@@ -30,7 +30,7 @@ import org.dronewatch.viewer.run.RecordedRun;
 public final class ComparisonPanel extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private static final int[] WIDTHS = {56, 88, 104, 104, 94, 80};
+    private static final int[] WIDTHS = {56, 88, 104, 104, 94, 60};
 
     /** The sentence is about at most this many drones. */
     private static final int DRONES_IN_WORDS = 3;

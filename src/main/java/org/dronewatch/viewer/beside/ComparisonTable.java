@@ -28,7 +28,7 @@ final class ComparisonTable extends TitledTable {
     private record Pair(String drone, Optional<String> sensor) {}
 
     ComparisonTable() {
-        super("drone", "sensor", "this run", "other run", "difference", "detects now");
+        super("drone", "sensor", "this run", "other run", "difference", "now");
     }
 
     /** Compares two runs at a time, s. */
