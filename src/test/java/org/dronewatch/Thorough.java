@@ -7,8 +7,8 @@ import java.lang.annotation.Target;
 import org.junit.jupiter.api.Tag;
 
 /**
- * A test that takes long, while others in less time find most of what it would: {@code mvn verify} leaves it out, to
- * take no longer than ten minutes. {@code mvn test -Pthorough} runs all of these tests, as the CI does, and
+ * A test that takes seconds: {@code mvn verify} leaves it out, to take no longer than ten minutes, so some behaviour
+ * is checked by {@code mvn test -Pthorough} alone, which runs all of these tests, as the CI does, and
  * {@code -Dtest=NAME} those of one class.
  */
 @Tag("thorough")
