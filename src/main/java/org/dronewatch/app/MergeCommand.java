@@ -101,6 +101,7 @@ final class MergeCommand implements Callable<Integer> {
 
     private static void checkWhole(String analysis, Cases cases, List<CampaignPart> there) {
         List<String> missing = new ArrayList<>();
+        int count = 0;
         int first = -1;
         int chunks = CampaignRun.chunks(cases);
         for (int chunk = 0; chunk <= chunks; chunk++) {
@@ -110,13 +111,13 @@ final class MergeCommand implements Callable<Integer> {
             } else if (!isMissing && first >= 0) {
                 int last = Math.min(chunk * CampaignRun.CHUNK, cases.size()) - 1;
                 missing.add(first == last ? Integer.toString(first) : first + " to " + last);
+                count += last - first + 1;
                 first = -1;
             }
         }
         if (!missing.isEmpty()) {
             String more = missing.size() > MOST_NAMED ? " and others" : "";
-            String what = missing.size() == 1 && missing.get(0).matches("\\d+") ? "case " : "cases ";
-            throw new InputException("no directory has " + what
+            throw new InputException("no directory has " + (count == 1 ? "case " : "cases ")
                     + String.join(", ", missing.subList(0, Math.min(MOST_NAMED, missing.size()))) + more + analysis);
         }
     }
