@@ -35,7 +35,7 @@ import org.dronewatch.world.WorldSettings;
  * not depend on the scene.
  *
  * @param scene name of the scene whose conditions are used
- * @param run the run of its sweep, in words; empty if it has none
+ * @param run the run of the scene's sweep whose conditions are used, in words; empty if the scene has no sweep
  * @param settings settings of the scene, or of that run
  * @param sensor name of the sensor
  * @param drone name of the drone
@@ -182,7 +182,10 @@ public record CalibratedEntry(
                 + residual;
     }
 
-    /** The fitted value, and the range for each value, in words. */
+    /**
+     * In words, the greatest range for the fitted value and, if there are any, for the values next to it, in ascending
+     * order.
+     */
     public static List<String> lines(Calibration fit) {
         return new TreeMap<>(fit.ranges())
                 .entrySet().stream()

@@ -20,8 +20,9 @@ import org.dronewatch.setting.Quantity;
  * @param sensor the sensor with its fitted threshold
  * @param scale the setting that was fitted
  * @param threshold the fitted value, in the unit of the scale
- * @param ranges greatest range for the fitted value and, if the threshold is a whole number, also for the values one
- *     below and one above it, m; NaN for a value that is not reached at any range
+ * @param ranges greatest range at which the drone is detected, by value of the threshold, m: for the fitted value and,
+ *     if the threshold is a whole number, also for the values one below and one above it; NaN for a value with which
+ *     the drone is not detected at any range
  */
 public record Calibration(
         SensorSettings<?> sensor, Thresholded.Scale scale, double threshold, Map<Double, Double> ranges) {
@@ -60,7 +61,7 @@ public record Calibration(
      * @param sensor name of the sensor, one of the scene's
      * @param range greatest range at which the drone is to be detected, {@link #NEAREST} to {@link #FARTHEST}, m
      * @param probability minimum probability that a look at this range detects it, above 0 and at most 1
-     * @throws InputException when the sensor has no threshold to fit, or no value of it gives the range
+     * @throws InputException when the sensor has no threshold to fit, or no value of the threshold gives the range
      */
     public static Calibration of(SceneSettings settings, Drone drone, String sensor, double range, double probability) {
         SensorSettings<?> own = settings.sensors().get(sensor);

@@ -50,7 +50,7 @@ public final class Coverage {
      * depend on their number.
      *
      * @param settings settings of one run
-     * @param stage its world and drones
+     * @param stage world and drones of that run
      * @param drone id of the drone that is placed at the points
      * @param progress receives the number of points that a sensor has looked at since the last call; from any thread
      * @throws IllegalArgumentException when there is no such drone
@@ -95,9 +95,9 @@ public final class Coverage {
     }
 
     /**
-     * Whether a sensor detects the drone in a cell: columns from the west, rows from the north. A sensor that decides
-     * by chance counts as detecting it where its {@link Assessment#probability} is at least 0.5; for a microphone that
-     * traces random rays, a single look decides.
+     * Whether a sensor detects the drone in a cell, given by its column from the west and its row from the north. A
+     * sensor that decides by chance counts as detecting it where its {@link Assessment#probability} is at least 0.5;
+     * for a microphone that traces random rays, a single look decides.
      */
     public boolean isReached(String sensor, int column, int row) {
         return findings.get(sensor).answers()[row * grid.cells() + column] == Prober.Answer.DETECTED;

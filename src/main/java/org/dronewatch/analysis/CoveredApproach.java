@@ -7,12 +7,12 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The straight approach to the world's origin, low over the ground, on which a drone stays hidden from a given point
- * for the longest time.
+ * The straight approach to the world's origin, low over the ground, on which a drone is hidden from a given point for
+ * the greatest fraction of its flight.
  *
- * @param azimuth direction of its start from the origin, rad clockwise from north
- * @param start its first point, at the height of the drone above the surface, m
- * @param hidden the fraction of its length that cannot be seen, 0 to 1
+ * @param azimuth direction of the start from the origin, rad clockwise from north
+ * @param start first point of the approach, at the height of the drone above the surface, m
+ * @param hidden the fraction of the approach on which the drone is hidden, 0 to 1
  */
 public record CoveredApproach(double azimuth, Position start, double hidden) {
     private static final int DIRECTIONS = 16;

@@ -14,8 +14,8 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.RegularFile;
 
 /**
- * Files of rays and hits, all little-endian. Rays: an int32 count, then six float32 per ray (origin, unit direction).
- * Hits: a float32 distance (infinity for none) and an int32 triangle (-1 for none) per ray.
+ * Files of rays and hits, all little-endian. Rays: an int32 count, then six float32 per ray (origin, direction). Hits:
+ * a float32 distance (infinity for none) and an int32 triangle (-1 for none) per ray.
  */
 public final class RayFile {
     private static final int RAY_BYTES = RaySet.FLOATS * Float.BYTES;
@@ -26,7 +26,7 @@ public final class RayFile {
     /**
      * Reads a file of rays.
      *
-     * @throws InputException when it is missing, its size does not match its count, or a ray is invalid
+     * @throws InputException when the file is missing, its size does not match its count, or a ray is invalid
      */
     public static float[] read(Path file) {
         String obstacle = RegularFile.obstacle(file);

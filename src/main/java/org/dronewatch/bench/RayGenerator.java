@@ -81,7 +81,7 @@ public final class RayGenerator {
 
     /**
      * A million rays of paths that start where the camera's rays hit and are reflected up to ten times, each in a
-     * direction drawn by Lambert's cosine law. None when the camera sees nothing.
+     * direction drawn by Lambert's cosine law. Empty if none of the camera's rays hits anything.
      */
     public RaySet diffuse(RaySet camera) {
         return diffuse(camera, DIFFUSE_RAYS);

@@ -14,11 +14,11 @@ public record RaySet(String name, float[] rays, int width, Query query) {
 
     /** What is to be found for a ray. */
     public enum Query {
-        /** The nearest triangle along it. */
+        /** The nearest triangle along the ray. */
         NEAREST,
         /**
-         * Whether any triangle lies between its origin and the end of its direction, which then spans the whole
-         * segment.
+         * Whether any triangle lies between the ray's origin and the tip of its direction vector, which then spans the
+         * whole segment.
          */
         OCCLUDED
     }

@@ -4,7 +4,7 @@ package org.dronewatch.bench;
  * The speed at which a set of rays was traced.
  *
  * @param set name of the ray set
- * @param traversal method by which they were traced
+ * @param traversal method by which the rays were traced
  * @param rays number of rays
  * @param hits number of rays that hit
  * @param median median speed of the passes, millions of rays per second

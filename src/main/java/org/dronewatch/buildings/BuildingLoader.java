@@ -25,8 +25,9 @@ import org.dronewatch.setting.input.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
- * Converts the buildings on a map to solids in the world frame. Each stands on the lowest ground below it, from which
- * its height is measured, and extends {@value #BELOW} m below that, so that no gap is left on a slope. Immutable.
+ * Converts the buildings on a map to solids in the world frame. Each building stands on the lowest ground below it,
+ * from which its height is measured, and extends {@value #BELOW} m below that, so that no gap is left on a slope.
+ * Immutable.
  */
 public final class BuildingLoader {
     /** How far walls reach below the lowest ground under them, m. */
@@ -56,8 +57,8 @@ public final class BuildingLoader {
      * A loader of files by name.
      *
      * @param directory directory against which relative paths are resolved
-     * @param progress receives a line before each step that takes seconds, unless it is watched as a
-     *     {@link LongTask}
+     * @param progress receives a line before each step that takes seconds, unless the step is watched as a {@link
+     *     LongTask}
      */
     public BuildingLoader(Path directory, Consumer<String> progress) {
         this.directory = directory;

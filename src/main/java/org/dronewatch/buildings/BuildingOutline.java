@@ -7,15 +7,15 @@ import java.util.Optional;
 /**
  * The outline and the height of a building, for maps and plans.
  *
- * @param id its identifier on the map
- * @param name its name, if the map states one
+ * @param id identifier of the building on the map
+ * @param name name of the building, if the map states one
  * @param isPart whether it is a building part, which has a separate height
  * @param outer the outline, counter-clockwise: x and y in the world frame of each corner in turn, m, at the level of
  *     the origin
  * @param courts courtyards, clockwise, in the same form as the outline
  * @param bottom height of its lowest point above the lowest ground below it, 0 if it stands on the ground, m
  * @param top height of its highest point above the same ground, m
- * @param isAssumed whether its height is assumed, since the map does not state it
+ * @param isAssumed whether the height is assumed, since the map does not state it
  */
 public record BuildingOutline(
         String id,

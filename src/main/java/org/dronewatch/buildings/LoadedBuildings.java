@@ -16,8 +16,8 @@ import org.dronewatch.setting.input.FileHash;
  * @param outlines outlines of all buildings and parts
  * @param attribution the text that the map requires wherever its data are shown; empty if it requires none
  * @param count number of buildings and parts
- * @param area area of their outlines, without courtyards, m2
- * @param assumed number of those with an assumed height
+ * @param area area of the outlines of buildings and parts, without courtyards, m2
+ * @param assumed number of buildings and parts with an assumed height
  * @param file the map, with the hash of its bytes as read
  * @param landCover land cover of the ground, if it was requested
  * @param description description of the map, in lines for the report

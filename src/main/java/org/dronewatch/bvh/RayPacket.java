@@ -5,7 +5,7 @@ import org.dronewatch.kdtree.RayTracer;
 /**
  * Four rays, unrelated to each other, that are traced together. Each hits what it would hit alone (see
  * {@link TracingIndex#newIncoherentRayTracer()}), at the same distance; inside a convex room, the distance may differ
- * by rounding. What it hits does not depend on the other rays. For use by one thread.
+ * by rounding. What a ray hits does not depend on the other rays. For use by one thread.
  */
 public abstract class RayPacket {
     /** Number of rays. */
@@ -28,13 +28,13 @@ public abstract class RayPacket {
     /**
      * Sets one of the rays.
      *
-     * @param ray its number, 0 to 3
-     * @param ox x of its origin, m
-     * @param oy its y, m
-     * @param oz its z, m
-     * @param dx x of its direction, a unit vector
-     * @param dy its y
-     * @param dz its z
+     * @param ray index of the ray, 0 to 3
+     * @param ox x of the origin, m
+     * @param oy y of the origin, m
+     * @param oz z of the origin, m
+     * @param dx x of the direction, a unit vector
+     * @param dy y of the direction
+     * @param dz z of the direction
      */
     public abstract void set(int ray, double ox, double oy, double oz, double dx, double dy, double dz);
 
@@ -67,7 +67,7 @@ public abstract class RayPacket {
         return distances[ray];
     }
 
-    /** The number of the triangle that a ray hits; undefined if it hits none. */
+    /** The index in the mesh of the triangle that a ray hits; undefined if it hits none. */
     public final int triangle(int ray) {
         return hitTriangles[ray];
     }

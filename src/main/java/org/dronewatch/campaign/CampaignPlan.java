@@ -63,7 +63,7 @@ public final class CampaignPlan implements Cases {
      * Reads the scenes of all variants, supplied by the caller, loads their models, and checks that the least and
      * greatest values of all settings that vary are valid.
      *
-     * @param directory directory of the table
+     * @param directory directory against which the name of the campaign's table of settings (CSV) is resolved
      * @param scenes supplies a scene by its name, and states where prepared sites are kept
      * @param notes receives a line for each file read, and each warning
      * @throws InputException when anything is wrong, with a message of one line
@@ -188,7 +188,9 @@ public final class CampaignPlan implements Cases {
         return varied.hashes();
     }
 
-    /** The variant whose outcomes decide when the campaign ends, if they do. */
+    /**
+     * The variant whose outcomes decide when the campaign ends; the first variant if the campaign names none for this.
+     */
     public String observed() {
         return settings.until()
                 .flatMap(UntilSettings::variant)

@@ -40,8 +40,8 @@ public final class CampaignReader {
     }
 
     /**
-     * A problem that comes up when the cases are prepared, with the location in the file added to its message: that of
-     * the setting with which the message begins.
+     * A problem that comes up when the cases are prepared, its message preceded by the location in the file of the
+     * setting with which the message begins; the same problem if the message begins with no setting of the file.
      *
      * @param file the file that was read
      */

@@ -10,7 +10,7 @@ import org.dronewatch.scenes.SceneByName;
 /**
  * Where a campaign finds its scenes.
  *
- * @param byName gives the scene with a name
+ * @param byName supplies the scene with a given name
  * @param store where the prepared sites of the scenes are kept
  */
 public record CampaignScenes(Function<String, Scene> byName, StorePlace store) {

@@ -22,11 +22,11 @@ import org.dronewatch.setting.SettingsForm;
  * A campaign: many cases of a scene with settings drawn at random, each of them run with every variant.
  *
  * @param scene a packaged scene by name, or a scene file in the directory of this file or below it
- * @param vary how settings vary from case to case, by their paths, such as {@code drones.intruder.speed}
+ * @param vary how settings vary from case to case, by path, such as {@code drones.intruder.speed}
  * @param table a CSV file in the directory of this file or below it, whose columns are paths of settings and whose rows
  *     are the cases
- * @param variants what differs between the variants, by their names: settings by their paths with values, as for
- *     {@code --set}, and {@code scene} for another scene; if there are none, the only variant is the scene as it is
+ * @param variants what each variant changes, by name of the variant: values of settings by path, as for {@code --set},
+ *     and {@code scene} for another scene; if there are none, the only variant is the scene as it is
  * @param runs number of cases, 1 to a million, 1,000 by default; with {@code until}, the largest number
  * @param until how precisely a probability is to be known, instead of a fixed number of cases
  * @param sensitivity how to determine which settings matter
@@ -125,8 +125,8 @@ public record CampaignSettings(
     /**
      * A copy with settings that apply to all variants, unless a variant sets them itself.
      *
-     * @param shared values by the paths of settings
-     * @throws org.dronewatch.setting.InputException when one of them varies
+     * @param shared values of settings by path
+     * @throws org.dronewatch.setting.InputException when one of these settings varies
      */
     public CampaignSettings withCommon(Map<String, String> shared) {
         Map<String, Map<String, String>> others = new LinkedHashMap<>();

@@ -31,7 +31,8 @@ public final class CaseRun {
     /**
      * Runs a case on the calling thread.
      *
-     * @return its result; for a case whose settings are not valid together, or whose run fails, a failed result
+     * @return the result of the case; for a case whose settings are not valid together, or whose run fails, a failed
+     *     result
      * @throws java.util.concurrent.CancellationException when the thread is interrupted
      */
     public static CaseResult of(CampaignPlan plan, int number, String variant) {

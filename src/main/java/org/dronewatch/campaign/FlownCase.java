@@ -10,10 +10,10 @@ import org.dronewatch.run.Stage;
 /**
  * One case of a campaign with one variant, flown again to be drawn.
  *
- * @param name its name, the same as that of its {@link CaseScene}
- * @param run its result
- * @param stage its site and drones
- * @param pointings the directions in which its positioners pointed
+ * @param name name of the case, the same as that of its {@link CaseScene}
+ * @param run result of the case
+ * @param stage site and drones of the case
+ * @param pointings the directions in which the positioners pointed
  */
 public record FlownCase(String name, RunResult run, Stage stage, Pointings pointings) {
     /**

@@ -24,8 +24,8 @@ public final class Sensitivity {
      * The influence of one factor, by one of the methods.
      *
      * @param path path of the setting; {@link SensitivityCases#CHANCE} for chance
-     * @param index its Sobol indices; empty for the other method
-     * @param effect its elementary effects by Morris's method; empty for the other method
+     * @param index Sobol indices of the factor; empty for the other method
+     * @param effect elementary effects of the factor by Morris's method; empty for the other method
      */
     public record Influence(String path, Optional<SobolIndex> index, Optional<MorrisEffect> effect) {
         /** Whether this is the influence of chance. */

@@ -26,7 +26,7 @@ import org.dronewatch.setting.input.BoundedFile;
 
 /**
  * Real sensors by name: those of the library, and those of the user, each a file {@code NAME.yaml} beside the scene
- * file. A custom entry takes precedence over a packaged one with the same name.
+ * file. A user's entry takes precedence over a packaged one with the same name.
  */
 public final class Catalog implements Kinds.NamedSettings {
     private static final String ENDING = ".yaml";
@@ -162,7 +162,7 @@ public final class Catalog implements Kinds.NamedSettings {
     /**
      * The settings of a sensor.
      *
-     * @param name an entry of this catalogue, or the name of a kind, which then has its default settings
+     * @param name the name of an entry of this catalogue, or of a kind, whose default settings then apply
      * @param parts settings that the entry does not state or that are overridden, by name: at least the position
      * @throws InputException if there is no such sensor, or the settings do not fit
      */
@@ -186,7 +186,7 @@ public final class Catalog implements Kinds.NamedSettings {
      *
      * @param id the name of the system in the scene; its part {@code radar} is then {@code ID-radar}
      * @param name of the system, one whose parts {@link #partsOf} knows
-     * @param position of all of them, m
+     * @param position of all sensors of the system, m
      * @throws InputException when one of its entries is invalid
      */
     public Map<String, SensorSettings<?>> settingsOfSystem(String id, String name, Position position) {
@@ -215,9 +215,9 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The library entry to which a sensor corresponds: one with which it agrees in every setting that the entry states;
-     * if there are several, the one that states the most. The sensor's position, aim and detection function do not
-     * matter.
+     * The name of the library entry to which a sensor corresponds: an entry of which the sensor has every stated
+     * setting; if there are several, the one that states the most; empty if there is none. The sensor's position, aim
+     * and detection function do not matter.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();

@@ -21,14 +21,14 @@ import org.dronewatch.world.WorldSettings;
 /**
  * A real sensor: its settings and their source.
  *
- * @param title its manufacturer's name for it
+ * @param title manufacturer's name for the sensor
  * @param source where the figures are published
  * @param basis the extent to which the settings are based on these figures
  * @param note assumptions, and the calibration of the settings
- * @param coverage its field of view, in words
+ * @param coverage field of view, in words
  * @param price in words, with currency and year
- * @param ranges the ranges that its manufacturer states; empty when none are published
- * @param sensor its settings as in a scene file, without a position
+ * @param ranges ranges that the manufacturer states; empty when none are published
+ * @param sensor settings as in a scene file, without a position
  */
 public record CatalogEntry(
         String title,
@@ -56,8 +56,8 @@ public record CatalogEntry(
      *
      * @param distance m
      * @param target in words
-     * @param drone settings of the drone for which it holds, overriding those of the small quadrotor
-     * @param world settings of the world in which it holds, overriding those of a quiet one
+     * @param drone settings of the drone for which the range holds, overriding those of the small quadrotor
+     * @param world settings of the world in which the range holds, overriding those of a quiet world
      */
     public record PublishedRange(
             @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double distance,
@@ -96,7 +96,8 @@ public record CatalogEntry(
     /**
      * Copies the list: later changes by the caller have no effect.
      *
-     * @throws IllegalArgumentException when a component is missing, or there are ranges without a basis or vice versa
+     * @throws IllegalArgumentException when a component is missing, or when there are ranges although the basis is
+     *     {@link Basis#ASSUMED}, or no ranges although it is not
      */
     public CatalogEntry {
         Limits.check(CatalogEntry.class, title, source, basis, note, coverage, price, ranges, sensor);

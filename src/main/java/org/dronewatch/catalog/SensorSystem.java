@@ -9,7 +9,7 @@ import org.dronewatch.setting.file.Node;
 /**
  * A system of several sensors that are sold together. A scene file uses it by its name, like a sensor.
  *
- * @param title its manufacturer's name for it
+ * @param title manufacturer's name for the system
  * @param source source of the description
  * @param note omissions and assumptions
  * @param parts each sensor as in a scene file, without a position, by the suffix of its name: the part {@code radar} of

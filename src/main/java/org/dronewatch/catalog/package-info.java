@@ -1,2 +1,2 @@
-/** Real sensors by name: the only package that depends on every kind of sensor. */
+/** Real sensors by name. This is the only package that depends on every kind of sensor. */
 package org.dronewatch.catalog;

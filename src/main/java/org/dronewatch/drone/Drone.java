@@ -17,8 +17,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A drone at one instant: a mesh with its tree in model space, and the matrix that transforms it to the world. Moving
- * it changes the matrix only, and returns a new drone that shares the mesh. Immutable and thread-safe.
+ * A drone at one instant: a mesh with its tree in model space, and the matrix that transforms the mesh to the world.
+ * Moving a drone returns a new one, which has another matrix and shares the mesh. Immutable and thread-safe.
  *
  * <p>The model matrix is {@code M = T R S}: scale first, then rotate, then translate. Rotations are right-handed, like
  * vecmath's {@code rotX}, {@code rotY} and {@code rotZ}.
@@ -40,8 +40,8 @@ public final class Drone {
     }
 
     /**
-     * A drone at the origin of the world, its nose to the north, at rest, with the index of its mesh, which it may
-     * share with other drones.
+     * A drone at the origin of the world, its nose to the north, at rest, with an index of its mesh that other drones
+     * may share.
      */
     public Drone(String id, DroneSettings settings, TracingIndex index) {
         this(id, settings, new DroneMesh(index), identity(), new Vector3d(), OptionalDouble.empty());
@@ -76,7 +76,7 @@ public final class Drone {
         return turned(turn);
     }
 
-    /** This drone rotated about its own y axis (its nose) at a rate in rad/s for dt seconds. */
+    /** This drone rotated about its own y axis (towards its nose) at a rate in rad/s for dt seconds. */
     public Drone rotateY(double rate, double dt) {
         Matrix4d turn = new Matrix4d();
         turn.rotY(rate * dt);
@@ -99,7 +99,7 @@ public final class Drone {
         return new Drone(id, settings, mesh, next, velocity, gliding);
     }
 
-    /** This drone displaced in the world, m; its velocity is unchanged. */
+    /** This drone displaced by a vector in the world, m; its velocity is unchanged. */
     public Drone move(Vector3d displacement) {
         Matrix4d next = new Matrix4d(modelMatrix);
         next.m03 += displacement.x;
@@ -138,7 +138,7 @@ public final class Drone {
         return id;
     }
 
-    /** The settings from which it was created. */
+    /** The settings from which the drone was created. */
     public DroneSettings settings() {
         return settings;
     }
@@ -149,14 +149,14 @@ public final class Drone {
     }
 
     /**
-     * A new ray tracer of its mesh, in model space, for use by one thread: for rays that start far away in comparison
-     * with its size.
+     * A new ray tracer of the drone's mesh, in model space, for use by one thread. It is intended for rays that start
+     * many times the drone's size away.
      */
     public RayTracer newRayTracer() {
         return mesh.index().newIncoherentRayTracer();
     }
 
-    /** The silhouettes of its model when it is level; computed when they are needed, and shared by its copies. */
+    /** The silhouettes of the drone's model when it is level; computed when first needed, and shared by all copies. */
     public SilhouetteTable silhouettes() {
         return mesh.silhouettes();
     }
@@ -196,7 +196,7 @@ public final class Drone {
         return new Position(modelMatrix.m03, modelMatrix.m13, modelMatrix.m23);
     }
 
-    /** The position in the world of a point of its model, m. */
+    /** The position in the world of a point of the drone's model, m. */
     public Position toWorld(Position point) {
         return transformed(modelMatrix, point);
     }
@@ -217,8 +217,8 @@ public final class Drone {
     }
 
     /**
-     * An upper bound on the distance of the drone's mesh from its origin, m: the same at all attitudes, and exact
-     * (except for rounding) unless its model is scaled non-uniformly.
+     * An upper bound on the distance of any point of the drone's mesh from the drone's origin, m: the same at all
+     * attitudes, and exact (except for rounding) unless its model is scaled non-uniformly.
      */
     public double radius() {
         return mesh.radius() * stretch(modelMatrix);
@@ -254,7 +254,7 @@ public final class Drone {
         return settings.emission().soundLevel(this);
     }
 
-    /** The drone's sound power levels by octave band in its present state of flight, dB re 1e-12 W. */
+    /** The drone's sound power levels by octave band in its present state of flight, without weighting, dB re 1 pW. */
     public List<Double> soundPower() {
         return Arrays.stream(settings.emission().soundPower(this).toArray())
                 .boxed()
@@ -267,8 +267,8 @@ public final class Drone {
     }
 
     /**
-     * The drone's apparent temperature difference from the background in its present state of flight, K: with its
-     * motors off, it cools.
+     * The drone's apparent temperature difference from the background in its present state of flight, K; this
+     * difference decays while the motors are off.
      */
     public double heat() {
         return settings.heat().after(gliding.orElse(0.0));

@@ -2,7 +2,7 @@ package org.dronewatch.drone;
 
 /**
  * A class of drones with a measured distribution of the radar cross-section: log-normal from look to look. The figures
- * are those of 3GPP TR 38.901 version 19, section 7.9.2.1. The mean is that of the cross-section in m2, not that of its
+ * are those of 3GPP TR 38.901 version 19, section 7.9.2.1. The mean is taken over the cross-section in m2, not over its
  * value in decibels.
  */
 public enum DroneClass {
@@ -24,7 +24,7 @@ public enum DroneClass {
         return crossSection;
     }
 
-    /** Standard deviation of the cross-section in decibels, dB. */
+    /** Standard deviation of the cross-section expressed in decibels, dB. */
     public double spread() {
         return spread;
     }

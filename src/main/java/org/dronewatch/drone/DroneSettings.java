@@ -42,15 +42,15 @@ import org.dronewatch.world.World;
  * @param radar its radar signature
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received
- * @param soundLevel source level for the simple attenuation model (the level model), reduced only by air and surfaces,
- *     dB; 50 to 55 in the thesis on which this project is based
- * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1e-12 W; about 85 for a real
- *     quadrotor
+ * @param soundLevel source level for the simple attenuation model (the level model), dB on the calibrated scale of that
+ *     model: only air and surfaces reduce it, and without geometrical spreading it has no reference distance; 50 to 55
+ *     in the thesis on which this project is based
+ * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1 pW; about 85 for a real quadrotor
  * @param glideReduction reduction of its sound level with the motors off, when only airflow is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; if {@code spectrum} is set,
  *     any name that is not in the table; {@code soundPowerLevel} and {@code directivity} are set separately
  * @param spectrum a spectrum to use instead of one from the table: A-weighted levels of the octave bands relative to
- *     one another, as in the table; {@code soundPowerLevel} sets the loudness
+ *     one another, as in the table; {@code soundPowerLevel} sets the overall level
  * @param directivity dependence of the radiated sound on elevation, for the energy model
  * @param tones the tones in its spectrum, which the narrow-band criterion of the energy model needs; omit it if there
  *     are none
@@ -161,7 +161,10 @@ public record DroneSettings(
         }
     }
 
-    /** A small quadrotor: 5 m/s, 2.5 m/s2, 0.01 m2, 55 dB in the level model, 85 dB of sound power. */
+    /**
+     * A small quadrotor: cruise speed 5 m/s, acceleration 2.5 m/s2, radar cross-section 0.01 m2, source level 55 dB in
+     * the level model, A-weighted sound power level 85 dB re 1 pW.
+     */
     @Defaults({"model", "flight"})
     public static DroneSettings of(ModelSettings model, FlightPathSettings flight) {
         return new DroneSettings(
@@ -263,11 +266,11 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with the sound of another type of drone, both spectrum and loudness: one from the library's table,
-     * with its directivity if that was measured, or a sound that you define.
+     * These settings with the sound of another type of drone, both spectrum and sound power level: one from the
+     * library's table, with its directivity if that was measured, or a sound that you define.
      *
-     * @throws IllegalArgumentException if its level is not between 0 and 200 dB, that of a band is not between -200 and
-     *     200 dB, or a sound that you define has a name that is in the table
+     * @throws IllegalArgumentException if its sound power level is not between 0 and 200 dB, the relative level of a
+     *     band is not between -200 and 200 dB, or a sound that you define has a name that is in the table
      */
     public DroneSettings withSound(DroneSound other) {
         boolean packaged = DroneSounds.find(other.name()).equals(Optional.of(other));
@@ -282,7 +285,7 @@ public record DroneSettings(
     }
 
     /**
-     * These settings with a spectrum instead of one from the table, and the loudness unchanged.
+     * These settings with a spectrum instead of one from the table, and the sound power level unchanged.
      *
      * @param shape A-weighted levels of the octave bands relative to one another, -200 to 200 dB
      */
@@ -343,14 +346,14 @@ public record DroneSettings(
     }
 
     /**
-     * Sound power levels by octave band, dB re 1e-12 W: the spectrum at the drone's loudness, as radiated by a drone
-     * with steady emission and its motors running.
+     * Sound power levels by octave band without weighting, dB re 1 pW, as radiated by a drone with steady emission and
+     * its motors running.
      */
     public List<Double> soundPower() {
         return soundPower(soundPowerLevel);
     }
 
-    /** The spectrum at another loudness, dB re 1e-12 W by octave band. */
+    /** As {@link #soundPower()}, but for another A-weighted sound power level, dB re 1 pW. */
     List<Double> soundPower(double level) {
         List<Double> shape = spectrum.map(
                         own -> Arrays.stream(own.toArray()).boxed().toList())

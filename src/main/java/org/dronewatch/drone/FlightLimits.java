@@ -46,13 +46,13 @@ public record FlightLimits(
     /**
      * The typical limits of a type of airframe. Rates of climb and descent are the defaults of PX4: 3 and 1.5 m/s for
      * multirotors (MPC_Z_VEL_MAX_UP, MPC_Z_VEL_MAX_DN), 5 and 5 m/s for the others (FW_T_CLMB_MAX, FW_T_SINK_MAX). The
-     * rate of turn is {@code g tan(bank) / speed}, where the bank angle is 45 degrees for multirotors and 50 degrees
-     * for the others. Drones that cannot hover fly at no less than two thirds of their cruise speed, as with the
-     * defaults of PX4: 10 m/s at least, 15 m/s in cruise (FW_AIRSPD_MIN, FW_AIRSPD_TRIM). The ceiling is 500 m. The
-     * endurance of 30 minutes (multirotor) or an hour, the glide ratio of 10 and a glide at cruise speed are assumed;
-     * multirotors do not glide.
+     * rate of turn is {@code g tan(bank) / speed}, where g is the acceleration of gravity and the bank angle is 45
+     * degrees for multirotors and 50 degrees for the others. Drones that cannot hover fly at no less than two thirds of
+     * their cruise speed, as with the defaults of PX4: 10 m/s at least, 15 m/s in cruise (FW_AIRSPD_MIN,
+     * FW_AIRSPD_TRIM). The ceiling is 500 m. The endurance of 30 minutes (multirotor) or an hour, the glide ratio of 10
+     * and a glide at cruise speed are assumed; multirotors do not glide.
      *
-     * @param airframe its type
+     * @param airframe the type of airframe
      * @param speed cruise speed, above 0, m/s
      */
     public static FlightLimits typical(Airframe airframe, double speed) {

@@ -33,7 +33,7 @@ public record HeatSignature(
     /**
      * The excess after a time with the motors off, by Newton's law of cooling, K.
      *
-     * @param seconds since the motors were stopped; 0 while they run
+     * @param seconds time since the motors were stopped, s; 0 while they run
      */
     public double after(double seconds) {
         return excess * Math.exp(-seconds / coolingTime);

@@ -135,12 +135,12 @@ public record RadarSignature(
         return SettingsForm.with(DEFAULT, "droneClass", Optional.of(drones));
     }
 
-    /** The mean cross-section, m2: its own, or that of its class. */
+    /** The mean cross-section, m2: that of the signature itself, or that of its class. */
     public double mean() {
         return droneClass.map(DroneClass::crossSection).orElse(crossSection);
     }
 
-    /** The standard deviation in dB of a log-normal distribution, its own or that of its class; 0 without one. */
+    /** The standard deviation in dB of a log-normal distribution, stated or that of the class; 0 without one. */
     public double deviation() {
         return droneClass.map(DroneClass::spread).or(() -> spread).orElse(0.0);
     }

@@ -18,9 +18,9 @@ import org.dronewatch.sound.Tone;
  * @param rotorSpeed rate of rotation of a rotor, above 0 and at most 1000 Hz; also in {@code rpm}, as in
  *     {@code 6150 rpm}
  * @param blades number of blades of a rotor, 1 to 12; two on most quadrotors
- * @param shares for each tone, starting with the blade-passing frequency, its fraction of the power of its octave band,
- *     0 to 1; up to 50 tones, and those within one octave band add up to at most 1. Tones outside the eight octave
- *     bands are not heard
+ * @param shares the fraction of its octave band's power that each tone has, starting with the tone at the blade-passing
+ *     frequency, 0 to 1; up to 50 tones, and those within one octave band add up to at most 1. Tones outside the eight
+ *     octave bands are not heard
  */
 public record RotorTones(
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rotorSpeed,
@@ -35,7 +35,7 @@ public record RotorTones(
     /**
      * Checks the limits and copies the list.
      *
-     * @throws IllegalArgumentException if a value is out of range, or the lines of an octave band have more than its
+     * @throws IllegalArgumentException if a value is out of range, or the tones in an octave band have more than its
      *     whole power
      */
     public RotorTones {
@@ -59,8 +59,8 @@ public record RotorTones(
     }
 
     /**
-     * The tones of rotors with two blades, in six lines: the tone at the blade-passing frequency has half of
-     * the power of the octave band in which it lies, and each harmonic a smaller fraction. These fractions are assumed.
+     * The six tones of rotors with two blades: the tone at the blade-passing frequency has half of the power of the
+     * octave band in which it lies, and each harmonic a smaller fraction. These fractions are assumed.
      */
     @Defaults("rotorSpeed")
     public static RotorTones of(double rotorSpeed) {
@@ -82,7 +82,7 @@ public record RotorTones(
         return rotorSpeed * blades;
     }
 
-    /** The lines, the blade-passing frequency first. */
+    /** The tones, starting with the one at the blade-passing frequency. */
     public List<Tone> lines() {
         return lines(bladePassingFrequency(), shares);
     }

@@ -10,8 +10,8 @@ import org.dronewatch.sound.Tone;
  * {@link org.dronewatch.setting.Kind} explains how scene files can choose a new one. They are given the drone as it was
  * when the sound left it: its velocity, its attitude, and whether its motors run.
  *
- * <p>Each emission defines the meaning of a drone's sound settings. One that changes only the loudness can take the
- * rest from {@link SteadyEmission}; the dependence on direction is always set by {@code directivity}.
+ * <p>Each emission defines the meaning of a drone's sound settings. One that changes only the level can take the rest
+ * from {@link SteadyEmission}; the dependence on direction is always set by {@code directivity}.
  */
 public interface SoundEmission {
 
@@ -25,7 +25,7 @@ public interface SoundEmission {
     }
 
     /**
-     * Sound power levels by octave band without weighting, dB re 1e-12 W, for the energy model.
+     * Sound power levels by octave band without weighting, dB re 1 pW, for the energy model.
      *
      * @param drone the drone, as it was when the sound left it
      */
@@ -42,8 +42,8 @@ public interface SoundEmission {
     }
 
     /**
-     * The tones in its sound, which are part of its sound power: unless overridden, those of the settings, and none
-     * when the motors are off.
+     * The tones in the drone's sound, which are part of its sound power: unless overridden, those of the settings, and
+     * none when the motors are off.
      *
      * @param drone the drone, as it was when the sound left it
      */

@@ -9,8 +9,8 @@ import org.dronewatch.geometry.Position;
 public enum Airframe {
     /**
      * Rotors with a thrust along the drone's vertical axis: the drone tilts until the thrust per unit of mass is the
-     * acceleration minus gravity. In level flight the tilt is given by {@code tan(tilt) = a / g}, towards the
-     * acceleration.
+     * acceleration minus gravity (vectors). In level flight with the acceleration a, the tilt from the vertical is
+     * given by {@code tan(tilt) = a / g}, towards the acceleration, where g is {@link #GRAVITY}.
      */
     MULTIROTOR {
         @Override
@@ -27,8 +27,8 @@ public enum Airframe {
     },
     /**
      * A fixed wing: the nose follows the path up and down, and the drone banks so that the force on it other than
-     * gravity has no component along its wings, as in a coordinated turn. At the speed v and the rate of turn omega in
-     * level flight, the bank angle is given by {@code tan(bank) = v omega / g}.
+     * gravity has no component along its wings, as in a coordinated turn. In level flight at the speed v and the rate
+     * of turn omega, the bank angle is given by {@code tan(bank) = v omega / g}, where g is {@link #GRAVITY}.
      */
     FIXED_WING {
         @Override
@@ -70,9 +70,9 @@ public enum Airframe {
     abstract Attitude lean(double yaw, Position velocity, Position force);
 
     /**
-     * A path with the tilt of such a drone: the same positions, velocities and headings, with the pitch and roll that
-     * follow from velocity and {@linkplain FlightPath#acceleration acceleration}. If the path itself states a pitch or
-     * roll, that is kept. The tilt is not limited.
+     * The given path, flown with the tilt of a drone of this type: the positions, velocities and headings are the same,
+     * and pitch and roll follow from velocity and {@linkplain FlightPath#acceleration acceleration}. A pitch or roll
+     * that the path itself states is kept. The tilt is not limited.
      */
     public FlightPath leaning(FlightPath path) {
         return new LeaningPath(path, this);

@@ -4,8 +4,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 
 /**
- * A leader's flight displaced by a constant vector: the flight of a drone in a {@link Swarm}. It is not a record,
- * because scene files use a swarm instead.
+ * A leader's flight displaced by a constant vector: the flight of a drone in a {@link Swarm}. Not a record of settings,
+ * because scene files specify a swarm instead.
  */
 public final class Displaced implements FlightPathSettings {
     private final FlightPathSettings leader;
@@ -29,8 +29,8 @@ public final class Displaced implements FlightPathSettings {
     }
 
     /**
-     * The path displaced from a leader's path, for callers that already have that path; {@link #create} returns the
-     * same.
+     * The path displaced from the leader's path, for callers that already have the leader's path; {@link #create}
+     * returns the same displaced path.
      */
     public FlightPath beside(FlightPath leading) {
         Position displacement = turned(offset, leading.at(0.0).heading());

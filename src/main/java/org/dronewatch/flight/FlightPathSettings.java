@@ -33,7 +33,10 @@ public interface FlightPathSettings {
      */
     FlightPath create(double speed, double acceleration, Ground ground);
 
-    /** Whether the drone turns instantly: each corner represents a turn, and the legs are long enough for it. */
+    /**
+     * Whether the drone turns instantly at the corners of its path. Each corner then represents a turn for which the
+     * legs are long enough.
+     */
     default boolean turnsInstantly() {
         return false;
     }
@@ -97,7 +100,8 @@ public interface FlightPathSettings {
      * @param bearing direction of the approach, from the target: clockwise from north, rad
      * @param height height of the flight above the target, below it if negative, -100 to 100 km, m
      * @param distance horizontal distance from the target at time 0, above 0 and at most 100 km, m
-     * @param standoff horizontal distance from the target at which it stops, 0 or more, less than the distance, m
+     * @param standoff horizontal distance from the target at which the drone stops, 0 or more, less than the distance,
+     *     m
      */
     record Inbound(
             Position target,

@@ -7,9 +7,9 @@ import org.dronewatch.geometry.Position;
  * The state of a drone at one time: position, velocity and attitude.
  *
  * @param position position of the drone's origin, m
- * @param velocity m/s
+ * @param velocity velocity of the drone, m/s
  * @param attitude yaw, pitch and roll; independent of the velocity, since a multirotor can fly sideways
- * @param gliding time since its motors were stopped, s; empty while they run
+ * @param gliding time since the motors were stopped, s; empty while they run
  */
 public record FlightState(Position position, Position velocity, Attitude attitude, OptionalDouble gliding) {
 

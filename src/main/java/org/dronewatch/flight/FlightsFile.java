@@ -113,8 +113,9 @@ public final class FlightsFile {
     /**
      * Reads a file.
      *
-     * @param shown its name in messages and in the provenance of a run
-     * @throws InputException when it cannot be read, is too large or has an invalid row; the message gives the line
+     * @param shown name of the file in messages and in the provenance of a run
+     * @throws InputException when the file cannot be read, is too large or has an invalid row; the message gives the
+     *     line
      */
     public static FlightsFile read(Path file, String shown) {
         return new FlightsFile(shown, BoundedFile.read(file, LARGEST));
@@ -203,7 +204,7 @@ public final class FlightsFile {
     /**
      * The flight of a drone in a run.
      *
-     * @throws InputException when the file has none for that run and drone
+     * @throws InputException when the file has no flight for that run and drone
      */
     public FlownPath flight(int run, String drone) {
         List<Leg> legs = flights.get(new Flight(run, drone));
@@ -224,8 +225,8 @@ public final class FlightsFile {
     /**
      * Writes the flights of one run, with the header; a file of that name is replaced.
      *
-     * @param run the run's number
-     * @param flights legs by id of the drone
+     * @param run number of the run
+     * @param flights legs of each flight, by id of the drone
      * @throws InputException when the file cannot be written
      */
     public static void write(Path file, int run, Map<String, List<Leg>> flights) {
@@ -242,7 +243,9 @@ public final class FlightsFile {
         }
     }
 
-    /** The row for a leg; reading it back gives the same numbers. */
+    /**
+     * The row for a leg, with its values in the order of {@link #COLUMNS}; reading the row back gives the same numbers.
+     */
     public static String[] row(int run, String drone, Leg leg) {
         FlightState state = leg.start();
         return new String[] {

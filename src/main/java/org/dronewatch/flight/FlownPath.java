@@ -16,9 +16,9 @@ public interface FlownPath extends FlightPath {
     List<Leg> legs();
 
     /**
-     * The mean acceleration over the half second before a time, or since the start of the run if that is later: the
-     * future of a steered drone is not known, and a recorded flight must tilt like the steered one. It is zero within
-     * the first nanosecond.
+     * The mean acceleration over the half second before a time, or since the start of the run if that is later. The
+     * interval ends at the given time because the future of a steered drone is not known, and a recorded flight must
+     * tilt like the steered one. The acceleration is zero within the first nanosecond of the run.
      */
     @Override
     default Position acceleration(double time) {
@@ -28,7 +28,7 @@ public interface FlownPath extends FlightPath {
                 : new Position(0, 0, 0);
     }
 
-    /** The legs of a path, whether the drone tilts on it or not; empty for a path that does not consist of legs. */
+    /** The given path as one that consists of legs, without the drone's tilt; empty if it does not consist of legs. */
     static Optional<FlownPath> in(FlightPath path) {
         if (path instanceof LeaningPath leaning) {
             return in(leaning.path());

@@ -15,7 +15,7 @@ public final class GroundTrack {
     private final double[] along;
     private final int[] corners;
 
-    /** A track through points that are 1 mm or more apart, m. */
+    /** A track through points that are 1 mm or more apart, with coordinates in m. */
     public GroundTrack(List<GroundPoint> points) {
         int pieces = 0;
         for (int i = 1; i < points.size(); i++) {
@@ -50,12 +50,12 @@ public final class GroundTrack {
         return last + pieces;
     }
 
-    /** The number of cuts, both ends included. */
+    /** The number of cuts, including both ends of the path. */
     public int size() {
         return x.length;
     }
 
-    /** The cut at one of the given points. */
+    /** The index of the cut at a point, given by its index among the points of the track. */
     public int corner(int point) {
         return corners[point];
     }

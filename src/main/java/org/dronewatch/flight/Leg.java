@@ -9,12 +9,15 @@ import org.dronewatch.geometry.Position;
  * recorded flights consist of legs, and compute positions by the same arithmetic, so that a recorded flight repeats the
  * steered one bit for bit.
  *
- * @param time time at which it begins, seconds since the start of the run
- * @param start the drone's state then
+ * @param time time at which the leg begins, seconds since the start of the run
+ * @param start state of the drone at that time
  */
 public record Leg(double time, FlightState start) {
 
-    /** The state at a time within the leg: its start plus velocity times the time since, attitude unchanged. */
+    /**
+     * The state at a time within the leg, seconds since the start of the run: the drone has moved from the start at
+     * constant velocity, and its attitude is unchanged.
+     */
     public FlightState at(double when) {
         double since = when - time;
         Position moved = start.position().plus(start.velocity().times(since));
@@ -25,7 +28,8 @@ public record Leg(double time, FlightState start) {
     }
 
     /**
-     * The state at a time: in the last leg that has begun by then, or in the first.
+     * The state at a time, seconds since the start of the run: in the last leg that has begun by then, or in the first
+     * leg if none has.
      *
      * @param legs the legs, at least one, in order of time
      */

@@ -31,8 +31,8 @@ public final class Legs {
      * long run with many drones.
      *
      * @param flights the flights, by id of the drone
-     * @param until the end of the run, s
-     * @return in the same order
+     * @param until end of the run, seconds since its start
+     * @return the legs by id of the drone, in the same order
      */
     public static Map<String, List<Leg>> ofAll(Map<String, FlightPath> flights, double until) {
         double step = Math.max(STEP, until * flights.size() / MOST_SAMPLES);
@@ -42,14 +42,14 @@ public final class Legs {
     }
 
     /**
-     * The legs of a flight. A flight that consists of legs returns these, without the drone's tilt. Any other flight is
-     * sampled at equal time steps: samples on a straight line at constant speed are joined into one leg, which is exact
-     * except for rounding. In a bend, or with an acceleration a, the flight is divided at each step, and the position
-     * between two samples is off by at most {@code a step^2 / 8}. The last leg begins at the end of the known flight,
-     * so that the legs also state that end.
+     * The legs of a flight. For a flight that consists of legs, these are returned, without the drone's tilt. Any other
+     * flight is sampled at equal time steps: samples on a straight line at constant speed are joined into one leg,
+     * which is exact except for rounding. In a bend, or with an acceleration a, the flight is divided at each step, and
+     * the position between two samples is off by at most {@code a step^2 / 8}. The last leg begins at the end of the
+     * known flight, so that the legs also state that end.
      *
      * @param path the flight
-     * @param until its end, s
+     * @param until end of the known flight, seconds since the start of the run
      * @param step interval between two samples, above 0, s
      */
     public static List<Leg> of(FlightPath path, double until, double step) {

@@ -18,7 +18,7 @@ import org.dronewatch.world.GroundPoint;
  * @param bearing direction of the approach, from the target: clockwise from north, rad
  * @param distance horizontal distance from the target at time 0, above 0 and at most 50 km, m
  * @param height height above the highest surface below, above 0 and at most 10 km, m
- * @param standoff horizontal distance from the target at which it stops, 0 or more, less than the distance, m
+ * @param standoff horizontal distance from the target at which the drone stops, 0 or more, less than the distance, m
  */
 public record LowApproach(
         GroundPoint target,

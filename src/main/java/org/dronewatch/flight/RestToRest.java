@@ -14,9 +14,9 @@ public final class RestToRest {
     /**
      * A motion.
      *
-     * @param length above 0, m
+     * @param length distance from start to end, above 0, m
      * @param speed the greatest speed, above 0, m/s
-     * @param acceleration above 0, m/s2
+     * @param acceleration acceleration and deceleration, above 0, m/s2
      */
     public RestToRest(double length, double speed, double acceleration) {
         this.length = length;
@@ -32,7 +32,7 @@ public final class RestToRest {
         return duration;
     }
 
-    /** The distance covered at a time since its start, 0 or more, m. */
+    /** The distance covered, m, at a time since the start of the motion, 0 or more, s. */
     public double distance(double time) {
         double left = duration - time;
         if (left <= 0.0) {
@@ -44,7 +44,7 @@ public final class RestToRest {
         return left < rampTime ? length - 0.5 * acceleration * left * left : topSpeed * (time - 0.5 * rampTime);
     }
 
-    /** The speed at a time since its start, 0 or more, m/s. */
+    /** The speed, m/s, at a time since the start of the motion, 0 or more, s. */
     public double speed(double time) {
         double left = duration - time;
         if (left <= 0.0) {

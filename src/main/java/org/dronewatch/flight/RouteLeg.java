@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * A straight leg of a flight, flown at constant speed.
  *
- * @param to its end, m
+ * @param to end of the leg, m
  * @param speed speed along the leg, above 0 and at most 400 m/s; the cruise speed by default
  * @param powered whether the motors run; otherwise the drone glides, and the leg must descend
  */

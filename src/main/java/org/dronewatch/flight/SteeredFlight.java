@@ -77,7 +77,7 @@ public final class SteeredFlight implements FlownPath {
     }
 
     /**
-     * Commands a flight in a straight line at constant speed to a point, with its nose as for
+     * Commands a flight in a straight line at constant speed to a point, with the drone's nose as for
      * {@link #fly(double, Position)}, and a hover there until the next command.
      *
      * @param time seconds since the start of the run
@@ -183,7 +183,7 @@ public final class SteeredFlight implements FlownPath {
         return now;
     }
 
-    /** The flight of a steered drone, whether it tilts or not; empty for any other path. */
+    /** The given path as a steered flight, without the drone's tilt; empty for any other path. */
     public static Optional<SteeredFlight> in(FlightPath path) {
         return FlownPath.in(path).filter(SteeredFlight.class::isInstance).map(SteeredFlight.class::cast);
     }

@@ -4,8 +4,9 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * The clock of a run's steered flights: the time that the run has reached. The code that runs a scene has one; commands
- * go to a {@link SteeredFlight}, whose known past only the clock extends. Flights of other kinds are ignored.
+ * The clock of a run's steered flights: the time that the run has reached. The code that runs a scene has the clock;
+ * commands go to a {@link SteeredFlight}, whose known past is extended only by the clock. Flights of other kinds are
+ * ignored.
  */
 public final class SteeringClock {
     private final List<SteeredFlight> flights;

@@ -15,7 +15,7 @@ import org.dronewatch.setting.Quantity;
  *
  * @param count number of drones, including the leader, 1 to 1000
  * @param spacing distance between neighbours, above 0 and at most 10 km, m
- * @param formation their arrangement
+ * @param formation arrangement of the drones
  */
 public record Swarm(
         @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,

@@ -12,8 +12,8 @@ public final class TerrainProfile {
     /**
      * The lowest profile above the ground that is nowhere steeper than allowed.
      *
-     * @param slope metres up or down for each metre along the track
-     * @return its height at each cut of the track, m
+     * @param slope maximum slope, metres up or down for each metre along the track
+     * @return the height of the profile at each cut of the track, m
      * @throws IllegalArgumentException when there is no surface anywhere below the track
      */
     public static double[] over(GroundTrack track, Ground ground, double slope) {

@@ -13,7 +13,8 @@ import org.dronewatch.tracking.ContactMatcher;
 /**
  * A log of the alerts of one run: applies the alert rule to the looks at contacts, in order of time, and records the
  * first alert for each contact. It treats all contacts in the same way: which of them are one object is decided by the
- * association. A rule that forecasts alerts ({@link ForecastLog}) is not applied here, and raises none.
+ * association. A rule that forecasts alerts ({@link ForecastLog}) is not applied by this log, and raises no alerts in
+ * it.
  */
 public final class AlertLog {
     private final Confirmation confirm;

@@ -15,8 +15,8 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param rule rule that determines when the sensors' looks raise an alert
  * @param confirm number of detections required of a sensor before it counts
- * @param protect the zone that must not be reached; omit it if there is none
- * @param zones further areas that must not be reached, by name; the first that a drone enters counts
+ * @param protect the sphere that drones must not reach; omit it if there is none
+ * @param zones further areas that drones must not reach, by name; the first that a drone enters counts
  * @param response time required between the alert and the drone's arrival, 0 to 86400 s; 0 if none is required
  */
 public record AlertSettings(

@@ -15,8 +15,8 @@ import org.dronewatch.world.World;
  *
  * @param name name of the area
  * @param settings settings of the area
- * @param bottom its lowest height, m
- * @param top its greatest height, m
+ * @param bottom z of its bottom, m
+ * @param top z of its top, m
  */
 public record AreaZone(String name, ProtectedArea settings, double bottom, double top) {
     /** The ground is looked at in this number of steps along each side of the rectangle around the area. */
@@ -65,8 +65,8 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
     }
 
     /**
-     * A zone in plan view, by its name in the settings, with heights of 0: an area, or the sphere as a circle under the
-     * name {@link Protection#ZONE}; empty when there is none.
+     * The zone of a given name in plan view, with top and bottom at 0: an area from the settings, or the sphere as a
+     * circle under the name {@link Protection#ZONE}; empty when there is no zone of that name.
      */
     public static Optional<AreaZone> inPlan(String name, AlertSettings alert) {
         Optional<ProtectedArea> area = Optional.ofNullable(alert.zones().get(name));

@@ -26,11 +26,11 @@ public record Confirmation(
     }
 
     /**
-     * The probability that the most recent looks confirm a contact, if each detects it with the same probability,
+     * The probability that the most recent looks confirm a contact, if each detects it with the same probability p,
      * independently of the others: the upper tail of the binomial distribution, {@code sum over k from hits to looks of
      * C(looks, k) p^k (1-p)^(looks-k)}. With 3 of 5 looks, 0.9 becomes 0.99144, and 0.001 becomes 9.985e-9.
      *
-     * @param ofOneLook the probability that a look detects the contact, 0 to 1
+     * @param ofOneLook the probability p that a look detects the contact, 0 to 1
      */
     public double probability(double ofOneLook) {
         double sum = 0.0;
@@ -43,9 +43,9 @@ public record Confirmation(
     /**
      * The probability that a look confirms a contact that was not confirmed at the look before: this look is a hit,
      * exactly {@code hits - 1} of the {@code looks - 1} looks before it were hits, and the look before those was a
-     * miss. It is {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)}.
+     * miss. It is {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)} with the binomial coefficient C.
      *
-     * @param ofOneLook the probability that a look detects the contact, independently of the others, 0 to 1
+     * @param ofOneLook the probability p that a look detects the contact, independently of the others, 0 to 1
      */
     public double onset(double ofOneLook) {
         return ofOneLook * (1.0 - ofOneLook) * binomial(looks - 1, hits - 1, ofOneLook);

@@ -11,8 +11,8 @@ import org.dronewatch.tracking.AssessedLook;
 
 /**
  * A log of the alerts that {@link AlertRule.UnionOfProbabilities} forecasts for one run, for scoring: the probabilities
- * are those of the simulation, which also knows how likely a look that detected nothing was to detect the contact.
- * Nothing in a run depends on these alerts.
+ * come from the simulation, which also knows the detection probabilities of looks that missed the contact. Nothing in a
+ * run depends on these alerts.
  */
 public final class ForecastLog {
     private static final double ROUNDING = 1e-12;
@@ -26,7 +26,7 @@ public final class ForecastLog {
     }
 
     /**
-     * A log of a run at its start; empty unless the alert rule makes forecasts: {@link AlertLog} applies the other
+     * A log of a run at its start; empty unless the alert rule makes forecasts. {@link AlertLog} applies the other
      * rules.
      */
     public static Optional<ForecastLog> of(AlertSettings settings) {

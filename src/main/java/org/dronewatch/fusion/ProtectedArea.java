@@ -15,7 +15,7 @@ import org.dronewatch.world.GroundPoint;
  * from the lowest ground below the area and its top from the highest, so that, on a slope, the area covers the full
  * range of heights everywhere.
  *
- * @param area the corners of a polygon, in either winding order, 3 to 1000; omit it for a circle
+ * @param area the 3 to 1000 corners of a polygon, in either winding order; omit it for a circle
  * @param centre the centre of a circle
  * @param radius the radius of a circle, above 0 and at most 100 km, m
  * @param floor height of its floor above the ground, 0 to 100 km, m; down to the ground unless set

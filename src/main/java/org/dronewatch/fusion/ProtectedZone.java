@@ -53,7 +53,7 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         return share >= 0.0 && share <= 1.0 ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
-    /** The flight time to the zone's surface in a straight line, s: 50 s for 1 km at 20 m/s. */
+    /** The flight time to the zone's surface in a straight line at a speed in m/s, s: 50 s for 1 km at 20 m/s. */
     public double timeLeft(Position position, double speed) {
         return distance(position) / speed;
     }

@@ -9,8 +9,8 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * A place given by its name in a map file; scene files can state it instead of a position:
- * {@code {feature: north gate, above: 3 m}}. Without {@code above} and {@code height}, it has the height in the file,
- * or lies on the highest surface there.
+ * {@code {feature: north gate, above: 3 m}}. Without {@code above} and {@code height}, it has the height in the file
+ * or, if the file states none, lies on the highest surface there.
  *
  * @param feature name of a point in a GeoJSON or KML file
  * @param file the GeoJSON or KML file; by default the one next to the scene file, with the same name but ending in

@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Position;
 /**
  * Converts positions in the world frame (x east, y north, z up, m) to latitude and longitude on the WGS 84 ellipsoid,
  * and back. At the scene's origin the frame is tangent to a surface that lies above the ellipsoid by the origin's
- * height; an origin without a known height is assumed to lie on the ellipsoid, which, at a height of 1000 m, moves a
- * point 1 km away by 0.16 m on the map.
+ * height; an origin without a known height is assumed to lie on the ellipsoid. If the origin's true height is 1000 m,
+ * this moves a point 1 km away by 0.16 m on the map.
  *
  * <p>East, north and up are converted to earth-centred coordinates without any approximation, and these to latitude and
  * longitude (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula for the
@@ -50,8 +50,8 @@ public final class Geodesy {
      *
      * @param latitude north of the equator, rad
      * @param theLongitude longitude east of Greenwich, rad
-     * @param above height above the ellipsoid, m; the origin is taken to lie at its own height above it, or at 0 if
-     *     that is not known
+     * @param above height above the ellipsoid, m; the origin is taken to lie above the ellipsoid by its own height, or
+     *     by 0 if that is not known
      */
     public Position inWorld(double latitude, double theLongitude, double above) {
         double sin = Math.sin(latitude);
@@ -83,9 +83,9 @@ public final class Geodesy {
 
     /**
      * The point on earth of a position in the world frame, with its height above the ellipsoid; the origin is taken to
-     * lie at its own height above it, or at 0 if that is not known. The inverse of {@link #inWorld} to a micrometre
-     * within 100 km; longitudes continue from that of the origin. The formula for the height is Bowring's (The accuracy
-     * of geodetic latitude and height equations, Survey Review 28, 1985).
+     * lie above the ellipsoid by its own height, or by 0 if that is not known. The inverse of {@link #inWorld} to a
+     * micrometre within 100 km; longitudes continue from that of the origin. The formula for the height is Bowring's
+     * (The accuracy of geodetic latitude and height equations, Survey Review 28, 1985).
      *
      * @param position position, m
      */

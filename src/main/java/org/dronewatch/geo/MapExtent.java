@@ -60,7 +60,7 @@ public record MapExtent(double west, double east, double south, double north) {
      * Where the points are, as the end of a sentence: in latitude and longitude and, for a grid, in its coordinates as
      * well.
      *
-     * @param map from which the points come
+     * @param map transform of the map from which the points come
      */
     public String inWords(MapTransform map) {
         if (isEmpty()) {
@@ -111,7 +111,7 @@ public record MapExtent(double west, double east, double south, double north) {
      * Why a site may lie outside this extent: its coordinates or those of the file are swapped, belong to another
      * system, or have no reference to the earth. Begins with a semicolon; empty if nothing suggests a mistake.
      *
-     * @param map from which the points come
+     * @param map transform of the map from which the points come
      * @param origin of the site
      * @param near distance from the site that counts as close, m
      * @param whose what the latitude and longitude that may be swapped belong to, such as {@code of the origin}

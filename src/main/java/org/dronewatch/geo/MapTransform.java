@@ -39,7 +39,7 @@ public final class MapTransform {
     /**
      * A transform between a map and the world frame of a scene.
      *
-     * @param crs of the map
+     * @param crs coordinate reference system of the map
      * @param origin of the scene
      */
     public MapTransform(CoordinateReferenceSystem crs, Origin origin) {

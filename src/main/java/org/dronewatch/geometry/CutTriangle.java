@@ -19,7 +19,7 @@ public final class CutTriangle {
         /**
          * One coordinate of a corner, m.
          *
-         * @param triangle its index
+         * @param triangle index of the triangle
          * @param corner 0 to 2
          * @param axis 0 to 2 for x, y and z
          */
@@ -30,7 +30,7 @@ public final class CutTriangle {
      * A cutter of triangles.
      *
      * @param corners of the triangles that are cut
-     * @param tolerance distance from the plane below which corners lie on it, m
+     * @param tolerance distance from the plane below which corners count as lying on it, m
      */
     public CutTriangle(Corners corners, double tolerance) {
         this.corners = corners;
@@ -40,10 +40,10 @@ public final class CutTriangle {
     /**
      * Cuts a triangle.
      *
-     * @param triangle its index
+     * @param triangle index of the triangle
      * @param origin a point of the plane, m
-     * @param normal of the plane, of length 1
-     * @return whether the plane cuts it
+     * @param normal unit normal of the plane
+     * @return whether the plane cuts the triangle
      */
     public boolean cut(int triangle, Position origin, Position normal) {
         int above = 0;

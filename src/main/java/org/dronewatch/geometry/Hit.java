@@ -5,7 +5,7 @@ package org.dronewatch.geometry;
  *
  * @param distance the ray parameter of the hit: metres for a ray of unit direction
  * @param triangle the triangle's number in its mesh
- * @param u weight of the triangle's second corner, 0 to 1
- * @param v weight of the third corner, 0 to 1; the first corner has 1 - u - v
+ * @param u barycentric coordinate of the triangle's second corner, 0 to 1
+ * @param v barycentric coordinate of the third corner, 0 to 1; that of the first corner is 1 - u - v
  */
 public record Hit(double distance, int triangle, double u, double v) {}

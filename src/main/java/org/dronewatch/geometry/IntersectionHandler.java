@@ -89,11 +89,11 @@ public final class IntersectionHandler {
     }
 
     /**
-     * The first ray parameter within the ray's range at which the ray is inside a sphere: 0 (or tMin) when it starts
+     * The first ray parameter within the ray's range at which the ray is inside a sphere: tMin when the ray starts
      * inside.
      *
      * @param radius radius in metres, above 0
-     * @return the ray parameter; empty if the ray misses the sphere or points away from it
+     * @return the ray parameter; empty if the ray does not meet the sphere within its range
      * @throws IllegalArgumentException when the radius is not above 0
      */
     public static OptionalDouble raySphere(Ray ray, Point3d center, double radius) {
@@ -124,8 +124,8 @@ public final class IntersectionHandler {
      * without allocating; for kernels.
      *
      * @param dx x of the ray's direction, which must be of unit length
-     * @param dy its y
-     * @param dz its z
+     * @param dy y of the direction
+     * @param dz z of the direction
      * @param radius radius in metres, above 0
      * @return the distance to the sphere, m; 0 when the ray starts inside it; infinity for a miss
      */

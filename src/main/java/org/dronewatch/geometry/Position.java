@@ -76,7 +76,7 @@ public record Position(
     /**
      * The direction of this displacement, as a vector of length 1.
      *
-     * @throws IllegalArgumentException when it has no length
+     * @throws IllegalArgumentException when this displacement has no length
      */
     public Position unit() {
         return times(1.0 / length());

@@ -6,7 +6,7 @@ import org.jogamp.vecmath.Vector3d;
 
 /**
  * A half line, or a segment of it: all points {@code origin + t * direction} with {@code tMin <= t <= tMax}. The
- * direction need not be of unit length; a distance along the ray is then the parameter t, not metres. Immutable.
+ * direction need not be of unit length; t is a distance in metres only if it is. Immutable.
  */
 public final class Ray {
     private final double ox;

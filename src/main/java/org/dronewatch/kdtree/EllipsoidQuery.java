@@ -44,7 +44,7 @@ public final class EllipsoidQuery {
      * Finds the triangles near an ellipsoid.
      *
      * @param a one focus, m
-     * @param b the other, m
+     * @param b the other focus, m
      * @param sum of the distances of a point on the ellipsoid from both foci, m
      */
     public void find(Position a, Position b, double sum) {
@@ -56,7 +56,7 @@ public final class EllipsoidQuery {
      * Finds the triangles near an ellipsoid that also reach a plane through its foci.
      *
      * @param a one focus, m
-     * @param b the other, m
+     * @param b the other focus, m
      * @param sum of the distances of a point on the ellipsoid from both foci, m
      * @param normal of the plane, of length 1
      * @param slack triangles up to this distance from the plane are included, m
@@ -75,7 +75,7 @@ public final class EllipsoidQuery {
         return count;
     }
 
-    /** The number in the mesh of one of the triangles found, which are counted from 0 to {@link #count()} - 1. */
+    /** The index in the mesh of one of the triangles found, which are numbered from 0 to {@link #count()} - 1. */
     public int triangle(int i) {
         return tree.triangles().numbers()[found[i]];
     }

@@ -4,14 +4,14 @@ package org.dronewatch.kdtree;
  * Statistics of a finished tree.
  *
  * @param triangles triangles of the mesh
- * @param nodes words of the tree: interior nodes and leaves
- * @param leaves number of leaves among them
+ * @param nodes number of nodes, interior nodes and leaves together
+ * @param leaves number of leaves
  * @param emptyLeaves leaves without a triangle
- * @param meanLeafSize triangles in a leaf, mean over the leaves that have any
+ * @param meanLeafSize mean number of triangles in the leaves that have any
  * @param maxLeafSize triangles in the fullest leaf
  * @param depth splits above the deepest leaf
  * @param sahCost expected cost of a ray that meets the root's box, in the units of {@link KDTree#costs}
- * @param bytes memory of nodes, leaf lists, and triangles with corners and numbers
+ * @param bytes memory, bytes: nodes, triangle lists of the leaves, and the triangles' corners and indices in the mesh
  */
 public record KDTreeStats(
         int triangles,

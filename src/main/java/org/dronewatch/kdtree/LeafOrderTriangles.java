@@ -58,7 +58,7 @@ public final class LeafOrderTriangles {
         return corners;
     }
 
-    /** The triangles' numbers in the mesh; for the kernel's packages, which do not write to it. */
+    /** The triangles' indices in the mesh; for the kernel's packages, which do not write to it. */
     public int[] numbers() {
         return numbers;
     }

@@ -38,13 +38,14 @@ public abstract class RayTracer {
     }
 
     /**
-     * Finds the nearest triangle along a ray. Of several with the same corners, it reports the one with the lowest
-     * number. If a ray hits an edge or a corner shared by several, the one reported may depend on the tracer.
+     * Finds the nearest triangle along a ray. Of several triangles with the same corners, the one with the lowest index
+     * is reported. If a ray hits an edge or a corner shared by several triangles, which of them is reported may depend
+     * on the tracer.
      *
      * @param tMin the smallest ray parameter that counts, 0 or more
-     * @param tMax the largest that counts
-     * @return whether there is one; its {@link #distance()}, {@link #triangle()}, {@link #u()} and {@link #v()} can be
-     *     read until the next query
+     * @param tMax the largest ray parameter that counts
+     * @return whether there is a hit; its {@link #distance()}, {@link #triangle()}, {@link #u()} and {@link #v()} can
+     *     be read until the next query
      */
     public final boolean closestHit(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
@@ -86,18 +87,18 @@ public abstract class RayTracer {
         return intersection.distance();
     }
 
-    /** Triangle number of the closest hit found by the most recent query. */
+    /** Index in the mesh of the triangle of the closest hit found by the most recent query. */
     public final int triangle() {
         return intersection.triangle();
     }
 
-    /** Weight of the triangle's second corner at the closest hit found by the most recent query. */
+    /** Barycentric weight of the triangle's second corner at the closest hit found by the most recent query. */
     public final double u() {
         findMissingBarycentrics();
         return intersection.u();
     }
 
-    /** Weight of the triangle's third corner at the closest hit found by the most recent query. */
+    /** Barycentric weight of the triangle's third corner at the closest hit found by the most recent query. */
     public final double v() {
         findMissingBarycentrics();
         return intersection.v();
@@ -127,7 +128,7 @@ public abstract class RayTracer {
      * packages.
      *
      * @param tMin the smallest ray parameter that counts
-     * @param tMax the largest that counts
+     * @param tMax the largest ray parameter that counts
      * @param anyHit whether any hit suffices, or the nearest is required
      */
     protected abstract void trace(double tMin, double tMax, boolean anyHit);
@@ -158,7 +159,10 @@ public abstract class RayTracer {
         lacksBarycentrics = true;
     }
 
-    /** Adds the weights of the second and third corners to the hit of the current ray; for the kernel's packages. */
+    /**
+     * Adds the barycentric weights of the second and third corners to the hit of the current ray; for the kernel's
+     * packages.
+     */
     protected final void setBarycentrics(double u, double v) {
         intersection.setBarycentrics(u, v);
         lacksBarycentrics = false;

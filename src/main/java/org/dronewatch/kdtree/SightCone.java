@@ -4,8 +4,8 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Determines whether all lines of sight from a point to a sphere are clear of the triangles of a tree, by a single
- * descent: whether no triangle comes near a pyramid that contains them. Remembers its most recent answer. For use by
- * one thread.
+ * descent: whether no triangle comes near a pyramid that contains these lines. Remembers its most recent answer. For
+ * use by one thread.
  */
 public final class SightCone {
     /** Four sides, one through the point, and one behind the sphere. */

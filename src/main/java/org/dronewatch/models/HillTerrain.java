@@ -64,7 +64,7 @@ public final class HillTerrain {
     }
 
     /**
-     * Height of the triangulated ground, metres, the same as in the model file except for its rounding.
+     * Height of the triangulated ground, metres, the same as in the model file except for rounding.
      *
      * @param x metres east of the plan origin
      * @param northY metres north of the plan origin

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 
 /**
  * A step of loading that may take seconds, reported to a watcher of the calling thread: a command with a terminal shows
- * a progress bar. If nobody watches, one line announces it. Thread-safe: several workers may advance it.
+ * a progress bar. If nobody watches, one line announces the task. Thread-safe: several workers may advance it.
  */
 public final class LongTask implements AutoCloseable {
     /** How many times at most a task of known length is reported. */
@@ -29,7 +29,7 @@ public final class LongTask implements AutoCloseable {
         /**
          * Called when a task begins.
          *
-         * @param steps that it has; negative if that is not known
+         * @param steps number of steps; negative if that is not known
          */
         void started(String what, long steps);
 
@@ -62,9 +62,9 @@ public final class LongTask implements AutoCloseable {
     /**
      * Begins a task.
      *
-     * @param what it does, such as {@code terrain: reading 4,000,000 posts}
-     * @param steps that it has; negative if that is not known
-     * @param isLong whether it will take more than a second or so; others are silent
+     * @param what what the task does, such as {@code terrain: reading 4,000,000 posts}
+     * @param steps number of steps; negative if that is not known
+     * @param isLong whether the task will take more than a second or so; other tasks are silent
      * @param announce receives one line if nobody watches
      */
     public static LongTask begin(String what, long steps, boolean isLong, Consumer<String> announce) {

@@ -3,12 +3,12 @@ package org.dronewatch.placement;
 /**
  * A sensor that may be bought, with its position and aim. Immutable.
  *
- * @param name unique in its table, not empty
- * @param cost its cost, 0 or more, in any currency
- * @param kind its kind, such as {@code radar}; empty if kinds do not matter
- * @param exclusive the position that it occupies: at most one of the candidates with the same text is chosen; empty if
- *     it excludes no other
- * @param fixed whether it is already there and so is always chosen; its cost still counts
+ * @param name name, unique in its table, not empty
+ * @param cost cost, 0 or more, in any currency
+ * @param kind kind, such as {@code radar}; empty if kinds do not matter
+ * @param exclusive the position that the candidate occupies, as a text: at most one of the candidates with the same
+ *     text is chosen; empty if it excludes no other
+ * @param fixed whether the sensor is already there and so is always chosen; its cost still counts
  */
 public record Candidate(String name, double cost, String kind, String exclusive, boolean fixed) {
     /** Checks the limits. */

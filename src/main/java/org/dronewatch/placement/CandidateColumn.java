@@ -2,7 +2,10 @@ package org.dronewatch.placement;
 
 import java.util.Arrays;
 
-/** What one candidate contributes: the rows that it reaches, in ascending order, with a value for each. Immutable. */
+/**
+ * What one candidate contributes: the rows of a {@link CandidateTable} that it reaches, in ascending order, with a
+ * value for each. Immutable.
+ */
 public final class CandidateColumn {
     private final int[] rows;
 
@@ -55,12 +58,16 @@ public final class CandidateColumn {
         return rows.length;
     }
 
-    /** A row that the candidate reaches, numbered from 0. */
+    /**
+     * The number of a row that the candidate reaches, from 0.
+     *
+     * @param at index among the rows that the candidate reaches, from 0
+     */
     public int row(int at) {
         return rows[at];
     }
 
-    /** The candidate's value in that row. */
+    /** The candidate's value in the {@linkplain #row row} with the same index. */
     public double value(int at) {
         return values == null ? 1.0 : values[at];
     }

@@ -19,7 +19,7 @@ public final class CandidateLosses {
     /**
      * The losses of some candidates.
      *
-     * @param names of the candidates
+     * @param names names of the candidates
      * @param conditions state which candidates need at least one of certain others
      */
     public CandidateLosses(List<String> names, PlacementConditions conditions) {

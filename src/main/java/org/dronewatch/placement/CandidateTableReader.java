@@ -37,7 +37,8 @@ public final class CandidateTableReader {
     /**
      * Reads the two files, of at most 64 MB each, with at most 10,000 candidates and a million rows.
      *
-     * @throws InputException when a file is wrong; its message, in one line, gives file, line, column, value and limit
+     * @throws InputException when a file is invalid; the message, in one line, gives file, line, column, value and
+     *     limit
      */
     public static CandidateTable read(Path candidates, Path values) {
         CandidateTableReader reader = new CandidateTableReader();

@@ -11,12 +11,13 @@ import java.util.TreeMap;
  * @param budget greatest sum of costs; infinite for no limit
  * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for no limit
  * @param kinds limits by kind
- * @param fold how many chosen candidates must attain a value, or a better one, for it to count in a row, 1 or more
- * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate; see
- *     {@link CandidateLosses}
- * @param needsOneOf for each candidate, by name, that may be chosen only together with at least one of certain others,
- *     as a camera on a positioner needs a sensor that cues it: the names of those others; without any, it is never
- *     chosen. Fixed candidates are chosen even if none of the others is
+ * @param fold how many chosen candidates must attain a value, or a better one, for this value to count in a row, 1 to
+ *     100
+ * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate (see
+ *     {@link CandidateLosses}); empty for no such condition
+ * @param needsOneOf by the name of each candidate that may be chosen only together with at least one of certain others,
+ *     as a camera on a positioner needs a sensor that cues it, the names of these others; a candidate without any
+ *     others is never chosen. Fixed candidates are chosen even if none of the others is
  */
 public record PlacementConditions(
         double budget,
@@ -61,7 +62,7 @@ public record PlacementConditions(
         return new PlacementConditions(budget, atMost, other, fold, anyoneLost, needsOneOf);
     }
 
-    /** A copy in which another number of candidates must attain a value, or a better one, for it to count. */
+    /** A copy in which another number of candidates must attain a value, or a better one, for this value to count. */
     public PlacementConditions withFold(int other) {
         return new PlacementConditions(budget, atMost, kinds, other, anyoneLost, needsOneOf);
     }

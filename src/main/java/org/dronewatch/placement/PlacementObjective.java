@@ -1,8 +1,8 @@
 package org.dronewatch.placement;
 
 /**
- * The objective of a placement: what is maximised or minimised. With k-fold conditions, the k-th best value among the
- * chosen candidates counts in a row.
+ * The objective of a placement: what is maximised or minimised. With k-fold conditions, the value of a row (a cell,
+ * flight or route to be covered) is the k-th best value among the chosen candidates.
  */
 public enum PlacementObjective {
     /**
@@ -17,7 +17,7 @@ public enum PlacementObjective {
     LEAST_COVERED_WEIGHT(true),
     /**
      * The greatest sum, over the rows, of weight times the probability that at least one chosen candidate detects the
-     * drone: 1 - prod(1 - p). Values are probabilities, capped at 1 - 1e-6.
+     * drone: {@code 1 - prod(1 - p)}, where the values p are probabilities, capped at 1 - 1e-6.
      */
     JOINT_PROBABILITY(true),
     /**
@@ -46,7 +46,7 @@ public enum PlacementObjective {
         return this == MEAN_IMPACT || this == WORST_IMPACT;
     }
 
-    /** Whether only the candidate with the best value counts in a row, so that k-fold conditions make sense. */
+    /** Whether the value of a row is the best value of any chosen candidate, so that k-fold conditions make sense. */
     public boolean takesBest() {
         return this == COVERED_WEIGHT || this == LEAST_COVERED_WEIGHT || isImpact();
     }

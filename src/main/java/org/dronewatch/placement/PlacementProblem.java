@@ -24,8 +24,9 @@ public final class PlacementProblem {
     /**
      * A problem.
      *
-     * @throws IllegalArgumentException when a k-fold condition makes no sense for the objective, a probability is
-     *     above 1, or a row lists neither an impact for every candidate nor one where no candidate detects anything
+     * @throws IllegalArgumentException when a k-fold condition makes no sense for the objective, a probability is above
+     *     1, or the objective is an impact and a row states neither an impact for every candidate nor one for the case
+     *     that no candidate detects anything
      */
     public PlacementProblem(CandidateTable table, PlacementObjective objective, PlacementConditions conditions) {
         if (conditions.fold() > 1 && !objective.takesBest()) {
@@ -143,7 +144,10 @@ public final class PlacementProblem {
         });
     }
 
-    /** The chosen candidates, except fixed ones, that need at least one of certain others, none of which is chosen. */
+    /**
+     * The names of the chosen candidates, except fixed ones, that need at least one of certain others, none of which is
+     * chosen.
+     */
     public List<String> lacking(List<Integer> chosen) {
         List<String> names = chosen.stream()
                 .map(candidate -> table.candidates().get(candidate).name())

@@ -6,8 +6,8 @@ import java.util.Optional;
 @FunctionalInterface
 public interface PlacementSolver {
     /**
-     * The best layout that it finds within its limits; empty if no layout complies with the conditions, or none was
-     * found before the search was ended.
+     * The best layout that the solver finds within the limits; empty if no layout complies with the conditions, or none
+     * was found before the search ended.
      */
     Optional<PlacementResult> solve(PlacementProblem problem, SolverLimits limits);
 }

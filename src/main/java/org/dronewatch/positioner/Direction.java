@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Position;
 /**
  * A direction from a sensor's position.
  *
- * @param azimuth clockwise from north, rad
- * @param elevation above the horizon, rad
+ * @param azimuth azimuth, clockwise from north, rad
+ * @param elevation elevation above the horizon, rad
  */
 public record Direction(double azimuth, double elevation) {
 
@@ -22,7 +22,7 @@ public record Direction(double azimuth, double elevation) {
         return new Position(level * Math.sin(azimuth), level * Math.cos(azimuth), Math.sin(elevation));
     }
 
-    /** This direction rotated about the vertical and then upwards, rad. */
+    /** This direction turned clockwise as seen from above, and upwards, by the given angles, rad. */
     public Direction turned(double clockwise, double upwards) {
         return new Direction(azimuth + clockwise, elevation + upwards);
     }

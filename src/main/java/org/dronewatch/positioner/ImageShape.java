@@ -4,8 +4,8 @@ package org.dronewatch.positioner;
  * The proportions of a camera's image: the tangents of half its horizontal and vertical fields of view, relative to the
  * tangent of half the field of view in its settings.
  *
- * @param width of the horizontal field
- * @param height of the vertical field
+ * @param width ratio for the horizontal field of view
+ * @param height ratio for the vertical field of view
  */
 public record ImageShape(double width, double height) {
     /** As wide as it is high. */

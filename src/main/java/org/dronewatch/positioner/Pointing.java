@@ -5,11 +5,11 @@ import java.util.OptionalInt;
 /**
  * The pointing of a positioner at one time: direction, rates and field of view.
  *
- * @param direction of the sensor's axis
+ * @param direction direction of the sensor's axis
  * @param panRate mean pan rate since the previous pointing, clockwise, rad/s
  * @param tiltRate mean tilt rate since the previous pointing, upwards, rad/s
  * @param fov the sensor's field of view at that time, rad
- * @param contact number of the contact that it follows; empty while it searches
+ * @param contact number of the contact that the positioner follows; empty while it searches
  */
 public record Pointing(Direction direction, double panRate, double tiltRate, double fov, OptionalInt contact) {
 

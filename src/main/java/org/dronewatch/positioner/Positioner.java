@@ -48,10 +48,10 @@ public final class Positioner {
     /**
      * A positioner at the start of a run, for a sensor with a square image.
      *
-     * @param position of the positioner, m
+     * @param position position of the positioner, m
      * @param rest the direction of its sensor's own aim
      * @param widest its sensor's own field of view, rad
-     * @param interval between two looks of its sensor, s
+     * @param interval time between two looks of its sensor, s
      */
     public Positioner(PositionerSettings settings, Position position, Direction rest, double widest, double interval) {
         this(settings, position, rest, widest, ImageShape.SQUARE, interval);
@@ -60,11 +60,11 @@ public final class Positioner {
     /**
      * A positioner at the start of a run.
      *
-     * @param position of the positioner, m
+     * @param position position of the positioner, m
      * @param rest the direction of its sensor's own aim
      * @param widest its sensor's own field of view, rad
-     * @param shape of its sensor's image
-     * @param interval between two looks of its sensor, s
+     * @param shape proportions of its sensor's image
+     * @param interval time between two looks of its sensor, s
      */
     public Positioner(
             PositionerSettings settings,
@@ -101,7 +101,9 @@ public final class Positioner {
         cues.add(new Cue(detected + settings.delay(), contact, sighting, detected));
     }
 
-    /** Records that the positioner's own sensor has seen a contact at its most recent look. */
+    /**
+     * Records that the positioner's own sensor has seen a contact at its most recent look, at the time {@code seen}, s.
+     */
     public void see(int contact, Sighting sighting, double seen) {
         follow(contact, sighting, seen, seen);
         if (track.filter(followed -> followed.contact() == contact).isPresent()) {
@@ -120,7 +122,9 @@ public final class Positioner {
         }
     }
 
-    /** Pans, tilts and zooms until a time, which is not before the previous one, and returns its pointing then. */
+    /**
+     * Pans, tilts and zooms until a time, s, which must not be before the previous one, and returns the pointing then.
+     */
     public Pointing moveTo(double now) {
         track = track.filter(followed -> now - followed.received() <= settings.hold());
         while (!cues.isEmpty() && cues.peek().due() <= now) {

@@ -27,7 +27,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param maxTilt highest elevation; not below the lowest, -pi/2 to pi/2, rad
  * @param delay time from another sensor's detection until the positioner begins to slew, 0 to 60 s
  * @param hold how long it waits for a drone that its camera no longer sees, 0 to 3600 s
- * @param lockPixels number of pixels on a drone at and above which the positioner's own camera tracks it, even if the
+ * @param lockPixels minimum number of pixels on a drone for the positioner's own camera to track it, even if the
  *     camera's detection function requires more, 1 or more; a camera that takes light and weather into account must at
  *     least detect it
  * @param search pattern of its search until it is cued

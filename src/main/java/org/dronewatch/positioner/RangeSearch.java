@@ -7,10 +7,11 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * The search for a drone along the line of a cue that has a direction but no range. The positioner looks along that
- * line from near to far, stop by stop, but it begins where the drone's size in the other sensor's image suggests that
+ * line from near to far, stop by stop, but it begins where the drone's size in the cueing sensor's image suggests that
  * the drone is.
  *
- * @param minRange points of the line that are closer than this to either sensor are not searched, 1 m to 10 km, m
+ * @param minRange points of the line that are closer than this to the cueing sensor or to the positioner are not
+ *     searched, 1 m to 10 km, m
  * @param minSize square root of the visible area of the smallest drone, 0.01 to 100 m, m
  * @param maxSize square root of the visible area of the largest drone; not below that of the smallest, 0.01 to 100 m, m
  * @param dwell how long the positioner stays at each stop, 0 to 60 s; at least one and a half intervals between its

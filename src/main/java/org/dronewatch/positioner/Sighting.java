@@ -8,12 +8,12 @@ import org.dronewatch.geometry.Position;
  * A sensor's estimate of the position or direction of a drone, with its errors, by which a positioner can be cued.
  *
  * @param from the position of the sensor, m
- * @param direction from there to the drone
- * @param range its distance, m; empty for a sensor that measures directions only
+ * @param direction direction from the sensor to the drone
+ * @param range distance from the sensor to the drone, m; empty for a sensor that measures directions only
  * @param hasElevation whether the elevation of the direction was measured; otherwise, as for a radar with a fan beam,
  *     it is only the middle of the field of view
- * @param error standard error of the direction, or, for an image, the angle of one of its pixels, rad; 0 where it is
- *     not stated
+ * @param error standard error of the direction, or, for an image, the angle that one of its pixels subtends, rad; 0
+ *     where it is not stated
  * @param size the angle subtended by the square root of the drone's area in an image, at least that of a pixel, rad;
  *     empty for a sensor without an image
  */
@@ -44,7 +44,7 @@ public record Sighting(
     }
 
     /**
-     * The estimated position, with an assumed height if the elevation was not measured; empty when only its direction
+     * The estimated position, with an assumed height if the elevation was not measured; empty when only the direction
      * is known.
      */
     public Optional<Position> position() {

@@ -105,7 +105,7 @@ public final class TileTracer {
      * between a near and a far plane.
      *
      * @param nearest the smallest ray parameter that counts, 0 or more
-     * @param farthest the largest that counts
+     * @param farthest the largest ray parameter that counts
      * @throws IllegalArgumentException when corner, right and down lie in one plane
      */
     public void setPicture(
@@ -118,8 +118,8 @@ public final class TileTracer {
     /**
      * Finds the nearest triangle for each pixel of a tile, among the ray parameters that count.
      *
-     * @param firstColumn column of its left pixels
-     * @param firstRow row of its top pixels
+     * @param firstColumn column of the tile's left pixels
+     * @param firstRow row of the tile's top pixels
      * @param columns 1 to {@link #WIDTH}
      * @param rows 1 to {@link #HEIGHT}
      */
@@ -167,17 +167,20 @@ public final class TileTracer {
         return pixels.parameter(column, row);
     }
 
-    /** The number of the triangle that a pixel of the tile traced most recently hits, if there is one. */
+    /**
+     * The index in the mesh of the triangle that a pixel of the tile traced most recently hits; undefined if there is
+     * none.
+     */
     public int triangle(int column, int row) {
         return pixels.triangle(column, row);
     }
 
     /**
      * Writes the distances of the hits of the pixels of the tile traced most recently: ray parameters times the lengths
-     * of the pixels' directions, in metres in the frame of the grid. Infinity for none.
+     * of the pixels' directions, in metres in the frame of the grid. Infinity for pixels without a hit.
      *
      * @param target array to be filled
-     * @param first index of the tile's first pixel in it
+     * @param first index of the tile's first pixel in the array
      * @param rowLength index difference from one row to the next
      */
     public void copyDistances(float[] target, int first, int rowLength) {
@@ -188,8 +191,8 @@ public final class TileTracer {
      * Finds the nearest triangle for each pixel of a tile, as {@link #trace}, but pixel by pixel: faster if triangles
      * are much smaller than pixels.
      *
-     * @param firstColumn column of its left pixels
-     * @param firstRow row of its top pixels
+     * @param firstColumn column of the tile's left pixels
+     * @param firstRow row of the tile's top pixels
      * @param columns 1 to {@link #WIDTH}
      * @param rows 1 to {@link #HEIGHT}
      */

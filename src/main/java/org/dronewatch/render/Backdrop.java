@@ -58,7 +58,7 @@ public final class Backdrop {
         return fineness;
     }
 
-    /** The point of the world shown by a pixel; empty for the sky. */
+    /** The point of the world shown by a pixel, m; empty for the sky and outside the image. */
     public Optional<Position> placeAt(int column, int row) {
         if (column < 0 || row < 0 || column >= width || row >= height) {
             return Optional.empty();

@@ -17,7 +17,7 @@ import org.dronewatch.sensor.optics.PictureSettings;
 
 /**
  * Draws the view of a camera during a run. On a positioner, the camera points as it did at its last look, according to
- * the run's history; on a fixed mount, it needs no history. Not thread-safe.
+ * the run's history; a camera on a fixed mount needs no history. Not thread-safe.
  */
 public final class CameraView {
     /** Times that are equal but for rounding are the same look, as a fraction of the interval between looks. */
@@ -36,7 +36,7 @@ public final class CameraView {
      * @param id of the camera in its scene
      * @param sensor settings of an imaging sensor
      * @param history of the run, at least up to the times to be drawn
-     * @throws IllegalArgumentException if it is not an imaging sensor
+     * @throws IllegalArgumentException if the sensor takes no pictures
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, RunHistory history) {
         this(id, sensor, stage, time -> history.pointing(id, time));
@@ -48,7 +48,7 @@ public final class CameraView {
      * @param id of the camera in its scene
      * @param sensor settings of an imaging sensor
      * @param pointings gives the pointing of its positioner at a time; empty for a camera on a fixed mount
-     * @throws IllegalArgumentException if it is not an imaging sensor
+     * @throws IllegalArgumentException if the sensor takes no pictures
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {
         PictureSettings picture = sensor.as(PictureSettings.class)
@@ -76,7 +76,7 @@ public final class CameraView {
     }
 
     /**
-     * The camera's view with the drones at a time.
+     * The camera's depth image with the drones at a time.
      *
      * @param time seconds since the start of the run; for the picture used in the run, a {@link #lookTime}
      */

@@ -20,7 +20,7 @@ public final class DroneFrame {
      * @param width pixels in a row of the camera's image
      * @param height rows of the camera's image
      * @param picture rectangle in which the whole image is drawn
-     * @param smallest smallest side of the frame, in pixels of the picture, so that a distant drone can be found
+     * @param smallest minimum side length of the frame, in pixels of the picture, so that a distant drone can be found
      */
     public static Rectangle2D.Double about(
             DronePixels drone, int width, int height, Rectangle picture, double smallest) {

@@ -6,7 +6,7 @@ public enum Fineness {
     COARSE(1, 4, false, 10_000),
     /** One ray per four pixels, and not all sound rays. */
     DRAFT(1, 2, false, 20_000),
-    /** Every pixel. */
+    /** One ray per pixel. */
     PLAIN(1, 1, false, Integer.MAX_VALUE),
     /** Four rays per pixel, with shadows cast in sunlight. */
     FINE(2, 1, true, Integer.MAX_VALUE);

@@ -3,11 +3,11 @@ package org.dronewatch.render;
 import org.dronewatch.render.canvas.Canvas;
 
 /**
- * A colour scale for levels, from violet for faint to red for loud. Changes of level are also visible to colour-blind
- * readers, because lightness varies at both ends.
+ * A colour scale for sound levels, from violet for low levels to red for high ones. Changes of level are also visible
+ * to colour-blind readers, because lightness varies at both ends.
  *
  * @param low the lowest level that has a distinct colour, dB
- * @param high the highest, dB
+ * @param high the highest level that has a distinct colour, dB
  */
 public record LevelScale(double low, double high) {
     private static final int[] COLOURS = {0x3b2f8f, 0x2f6fd0, 0x2fb3c8, 0x6fce6a, 0xe6d93c, 0xf59a23, 0xe03a1e, 0x98103a
@@ -39,7 +39,10 @@ public record LevelScale(double low, double high) {
         return new LevelScale(Math.min(bottom, top - 5.0), top);
     }
 
-    /** The colour of a level, red, green and blue in the lowest 24 bits. */
+    /**
+     * The colour of a level in dB: red, green and blue in the lowest 24 bits. Levels beyond the scale have the colour
+     * of its nearer end.
+     */
     public int colour(double level) {
         double share = Math.max(0.0, Math.min(1.0, (level - low) / (high - low)));
         double index = share * (COLOURS.length - 1);

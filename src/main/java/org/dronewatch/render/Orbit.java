@@ -29,14 +29,14 @@ public record Orbit(Position target, double bearing, double elevation, double di
     /** Margin around the framed box, as a factor. */
     private static final double MARGIN = 1.2;
 
-    /** Checks the limits. */
+    /** Clamps elevation and distance to their limits, and reduces the bearing to -pi to pi. */
     public Orbit {
         elevation = Math.max(-0.5 * Math.PI, Math.min(0.5 * Math.PI, elevation));
         distance = Math.max(NEAREST, Math.min(FARTHEST, distance));
         bearing = Math.IEEEremainder(bearing, 2.0 * Math.PI);
     }
 
-    /** A view from the south-west and above, with all of a box in the picture. */
+    /** A view from the south-west and above, with all of a box in a picture with a given ratio of width to height. */
     public static Orbit about(AABB box, double aspect) {
         double narrow = 2.0 * Math.atan(Math.tan(0.5 * NATURAL) * Math.min(1.0, aspect));
         double radius = 0.5 * Math.max(1e-3, box.diagonal());
@@ -48,14 +48,17 @@ public record Orbit(Position target, double bearing, double elevation, double di
                 NATURAL);
     }
 
-    /** A plan view, north up, with all of a box in the picture. */
+    /** A plan view, north up, with all of a box in a picture with a given ratio of width to height. */
     public static Orbit top(AABB box, double aspect) {
         double high = Math.max(box.maxY() - box.minY(), (box.maxX() - box.minX()) / aspect);
         // As if the eye had come from the south and risen: then north is up, and turning goes on from there.
         return flat(box, Math.PI, 0.5 * Math.PI, high);
     }
 
-    /** A horizontal view, with all of a box in the picture, from a given bearing, rad. */
+    /**
+     * A horizontal view, with all of a box in a picture with a given ratio of width to height, and the eye at a given
+     * bearing from the box, clockwise from north, rad.
+     */
     public static Orbit side(AABB box, double aspect, double bearing) {
         double across = Math.abs(Math.cos(bearing)) * (box.maxX() - box.minX())
                 + Math.abs(Math.sin(bearing)) * (box.maxY() - box.minY());
@@ -67,18 +70,18 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new Orbit(Position.of(box.center()), bearing, elevation, distance, NARROW);
     }
 
-    /** This orbit with the eye moved on its sphere, rad. */
+    /** This orbit with the eye moved on its sphere, clockwise as seen from above, and upwards, rad. */
     public Orbit turned(double clockwise, double upwards) {
         double steep = Math.max(-STEEPEST, Math.min(STEEPEST, elevation + upwards));
         return new Orbit(target, bearing + clockwise, steep, distance, fov);
     }
 
-    /** This orbit with its distance multiplied by a factor: nearer to its target if that is less than 1. */
+    /** This orbit with its distance multiplied by a factor: nearer to the target if the factor is less than 1. */
     public Orbit zoomed(double factor) {
         return new Orbit(target, bearing, elevation, distance * factor, fov);
     }
 
-    /** This orbit around another point. */
+    /** This orbit around another point, m. */
     public Orbit at(Position point) {
         return new Orbit(point, bearing, elevation, distance, fov);
     }
@@ -88,7 +91,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return new Orbit(target, bearing, elevation, 0.5 * high / Math.tan(0.5 * fov), fov);
     }
 
-    /** This orbit moved in the plane of the view, m. */
+    /** This orbit moved in the plane of the view: to the right, and upwards, m. */
     public Orbit panned(double right, double up) {
         double level = Math.sin(elevation);
         Position aside = new Position(-Math.cos(bearing), Math.sin(bearing), 0.0).times(right);
@@ -104,7 +107,10 @@ public record Orbit(Position target, double bearing, double elevation, double di
         return at(target.plus(new Position(x, y, 0.0)));
     }
 
-    /** This orbit rotated about its eye, rad: the target moves around it. */
+    /**
+     * This orbit rotated about its eye, which stays where it is while the target moves: clockwise as seen from above,
+     * and upwards, rad.
+     */
     public Orbit lookedAbout(double clockwise, double upwards) {
         Orbit next = turned(clockwise, -upwards);
         return next.at(target.plus(eye().minus(next.eye())));

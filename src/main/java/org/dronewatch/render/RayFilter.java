@@ -5,7 +5,7 @@ import java.util.stream.IntStream;
 /**
  * A filter for the segments of rays to be drawn.
  *
- * @param fewest minimum reflection order: the number of surfaces that the ray of a segment has met before it
+ * @param fewest minimum reflection order: the number of surfaces that the ray has met before the segment
  * @param most maximum reflection order
  * @param heardOnly whether to show only segments of paths that reached the sensor
  */
@@ -32,7 +32,7 @@ public record RayFilter(int fewest, int most, boolean heardOnly) {
                 .toArray();
     }
 
-    /** Number of segments drawn. */
+    /** The number of segments that this filter passes. */
     public int count(RecordedRays rays) {
         int shown = 0;
         for (int i = 0; i < rays.count(); i++) {

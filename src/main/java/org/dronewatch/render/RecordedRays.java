@@ -57,7 +57,7 @@ public final class RecordedRays {
         return drone;
     }
 
-    /** Time for which they were traced, seconds since the start of the run. */
+    /** Time for which the rays were traced, seconds since the start of the run. */
     public double time() {
         return time;
     }

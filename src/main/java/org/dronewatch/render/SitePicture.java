@@ -155,8 +155,8 @@ public final class SitePicture {
     }
 
     /**
-     * The cut that makes sensors and drones visible from above at a time: everything above them, if most of them are
-     * under a roof.
+     * The cut that removes the upper part of the site, so that the sensors and drones at the given time are visible
+     * from above; empty unless most of them are under a roof.
      */
     public Optional<Cut> openRoof(double time) {
         List<Drone> drones = stage.dronesAt(time);

@@ -13,8 +13,8 @@ import org.dronewatch.render.canvas.SensorMark;
  * @param time seconds since the start of the run
  * @param sensors the sensors
  * @param drones the drones
- * @param selected the selected sensor or drone
- * @param rays rays of sound
+ * @param selected name of the selected sensor or drone; empty if none is selected
+ * @param rays sound rays to be drawn; empty if there are none
  * @param stretches flights that are coloured by which sensors detect the drone, instead of being drawn as past and
  *     future
  */

@@ -79,7 +79,10 @@ public final class Charts {
         return SERIES[number % SERIES.length];
     }
 
-    /** Draws a series as a thin grey dashed line without markers: an analytic model or a threshold, not a result. */
+    /**
+     * Draws a series as a thin grey dashed line without markers, for an analytic model or a threshold rather than a
+     * result.
+     */
     public static void asReference(XYSeries series) {
         asReference(series, Color.GRAY);
     }

@@ -12,8 +12,8 @@ import org.dronewatch.report.file.Table;
 import org.knowm.xchart.XYChart;
 
 /**
- * Writes cost curves: a table and a plot each, with logarithmic axes, except for numbers of threads and for costs
- * within a factor of two of each other.
+ * Writes cost curves, each as a table and a plot. Axes are logarithmic, but those of plots over numbers of threads are
+ * linear, as is the axis of costs that lie within a factor of two of each other.
  */
 public final class CostReport {
     /** Format of the numbers at logarithmic axes, which would otherwise be shown as 1E4. */

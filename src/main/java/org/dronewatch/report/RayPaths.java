@@ -17,7 +17,7 @@ import org.dronewatch.setting.Counted;
 
 /**
  * Recorded rays as lines of an OBJ file, in the frame of the packaged models (metres, y up, north is -z), so that they
- * can be viewed together with the model. A group holds the segments of one sensor, drone and reflection order; those
+ * can be viewed together with the model. A group holds the segments of one sensor, drone and reflection order; segments
  * that end at the sensor are in separate groups.
  */
 public final class RayPaths {
@@ -30,7 +30,7 @@ public final class RayPaths {
     private final Map<String, List<Piece>> groups = new LinkedHashMap<>();
     private int pieces;
 
-    /** The recorder for the rays of the sensor and the drone with these names. */
+    /** The recorder for rays that are traced between the sensor and the drone with the given names. */
     public RayRecorder recorder(String sensor, String drone) {
         return (fromX, fromY, fromZ, toX, toY, toZ, level, order, received) -> {
             String group = sensor + "_" + drone + "_order_" + order + (received ? "_received" : "");
@@ -45,7 +45,7 @@ public final class RayPaths {
         return pieces;
     }
 
-    /** Writes the file. */
+    /** Writes the OBJ file; the stream is flushed but stays open. */
     public void writeTo(OutputStream stream) throws IOException {
         Writer writer = new BufferedWriter(new OutputStreamWriter(stream, StandardCharsets.US_ASCII));
         writer.write("# rays of a dronewatch run: metres, y up, north is -z\n");

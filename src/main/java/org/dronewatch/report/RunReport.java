@@ -42,7 +42,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
  * Writes the files of a run: {@code detections.csv}, {@code flights.csv} and, on request, {@code observations.csv}
  * during the run; {@code result.json}, {@code summary.json}, {@code provenance.json} and {@code plots/} at its end;
  * and, if it was not cut short, {@code report.html} and, for a scene with a geographic origin, {@code map.geojson} and
- * {@code map.kml}. They appear in the directory together, once all are complete.
+ * {@code map.kml}. The files appear in the directory together, once all of them are complete.
  */
 public final class RunReport implements SceneListener, AutoCloseable {
     private static final String DETECTIONS = "detections.csv";
@@ -71,7 +71,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
      *
      * @param scene the scene to be run
      * @param target the directory in which the files will appear
-     * @param withObservations whether to write every single observation too
+     * @param withObservations whether to write every observation, to {@code observations.csv}
      * @throws org.dronewatch.setting.InputException when the directory cannot be written, or holds the results of
      *     another command
      */
@@ -109,7 +109,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
         }
     }
 
-    /** Adds the pictures that some cameras take, with the drones in them labelled; to be called before a run. */
+    /** Adds the pictures that some cameras take, with labels of the drones in them; to be called before the run. */
     public void label(LabelPlan plan) {
         labels = Optional.of(new Labels(plan, directory::file));
     }
@@ -195,7 +195,7 @@ public final class RunReport implements SceneListener, AutoCloseable {
     /**
      * Writes summary, plots, maps and the HTML report, and moves everything into place.
      *
-     * @throws org.dronewatch.setting.InputException if writing fails; the directory is then as it was
+     * @throws org.dronewatch.setting.InputException if writing fails; the directory is then unchanged
      */
     public void finish(SceneResult result) {
         directory.write(() -> writeAll(result));

@@ -7,9 +7,9 @@ import java.util.Optional;
 import org.dronewatch.sensor.Cause;
 
 /**
- * For how long each cause keeps a sensor, or all of them, from detecting a drone along a route.
+ * For how long each cause keeps one sensor, or all sensors, from detecting a drone along a route.
  *
- * @param seconds the time for each cause, s; that for {@link Cause#DETECTED} is the time for which nothing does
+ * @param seconds time for each cause, s; for {@link Cause#DETECTED}, the time for which nothing prevents detection
  */
 public record CauseTimes(Map<Cause, Double> seconds) {
     /** Copies the map. */

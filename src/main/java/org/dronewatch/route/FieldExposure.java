@@ -45,7 +45,7 @@ public final class FieldExposure implements ExposureField {
     /**
      * The exposure to all sensors of a field.
      *
-     * @param flown the mode of flight with its field of single looks, with all {@linkplain Course#all courses}
+     * @param flown the mode of flight and its field of single looks, assessed on all {@linkplain Course#all courses}
      * @param settings settings of the scene
      * @throws IllegalArgumentException if the field has no compass headings
      */
@@ -186,8 +186,8 @@ public final class FieldExposure implements ExposureField {
     }
 
     /**
-     * {@inheritDoc} It is the least of the rates on all courses except hovering, in all cells that may contribute to
-     * the rate at a point of the box, and in which a drone can be.
+     * {@inheritDoc} The bound is the least rate on any course except hovering, in any cell in which a drone can be and
+     * which may contribute to the rate at a point of the box; 0 if there is no such cell.
      */
     @Override
     public double least(Position low, Position high, int number) {

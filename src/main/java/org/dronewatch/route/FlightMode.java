@@ -13,11 +13,13 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * A mode in which a drone may fly on a route.
  *
- * @param kind what distinguishes it
- * @param speed along the path, m/s
+ * @param kind kind of mode
+ * @param speed speed along the path, m/s
  */
 public record FlightMode(Kind kind, double speed) {
-    /** Kinds of modes. The drone may change between those under power at any time, and once to a glide. */
+    /**
+     * Kinds of modes. The drone may change between modes under power at any time, and once to a glide, but not back.
+     */
     public enum Kind {
         /** With its motors running, at cruise speed. */
         POWERED,
@@ -46,7 +48,7 @@ public record FlightMode(Kind kind, double speed) {
     /**
      * The courses on which a drone may fly in this mode.
      *
-     * @param sensors by name
+     * @param sensors settings of the sensors, by name
      * @throws IllegalArgumentException if the drone cannot fly in this mode
      */
     public List<Course> courses(Map<String, SensorSettings<?>> sensors, Drone drone) {

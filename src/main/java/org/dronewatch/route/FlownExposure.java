@@ -8,8 +8,8 @@ import java.util.OptionalDouble;
 
 /**
  * How exposed a drone is on a route as it is flown: to every look that the sensors take, assessed where it is taken
- * rather than in the cells of a field. The route begins at several equally likely moments within the period of
- * the slowest scan: probabilities are means over them.
+ * rather than in the cells of a field. The route begins at several equally likely moments within the period of the
+ * slowest scan: probabilities are means over these moments.
  *
  * @param flights for each of these moments, of which there is at least one, the looks that may detect the drone, in
  *     order of time
@@ -23,9 +23,10 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
      * What a look adds to the exposure.
      *
      * @param before time of the sensor's previous look, or of the start of the route if that is later, s since the
-     *     start
-     * @param time time of the look, s since the start
-     * @param exposure exposure that the look adds, {@code -ln(1 - p)} for an independent look, above 0
+     *     start of the route
+     * @param time time of the look, s since the start of the route
+     * @param exposure exposure that the look adds, above 0; {@code -ln(1 - p)} for an independent look with the
+     *     probability of detection p
      */
     public record Step(double before, double time, double exposure) {
         private double by(double until) {
@@ -65,8 +66,8 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     }
 
     /**
-     * The exposure to all looks up to and including a time, s: {@code -ln} of the mean probability that they all miss
-     * the drone.
+     * The exposure to all looks up to and including a time, s since the start: {@code -ln} of the mean probability that
+     * all of these looks miss the drone.
      */
     public double until(double time) {
         return ofMean(flights.stream()
@@ -91,7 +92,8 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
 
     /**
      * The probability of a detection up to a time, inclusive, if looks came so often that the moment at which the route
-     * begins did not matter, as the search assumes; computed from the mean exposure, 0 to 1.
+     * begins did not matter, as the search assumes: {@code 1 - exp(-E)} with the mean exposure E of the flights, 0 to
+     * 1.
      *
      * @param until the last moment at which a detection counts, s since the start; it may be infinite
      */
@@ -120,12 +122,15 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
         return least - Math.log(missed / exposures.length);
     }
 
-    /** The probability that the drone is detected by a look up to and including a time, s, 0 to 1. */
+    /** The probability, 0 to 1, that the drone is detected by a look up to and including a time, s since the start. */
     public double detection(double until) {
         return -Math.expm1(-until(until));
     }
 
-    /** The median time of the first detection among the flights on which there is one, s; empty if there is none. */
+    /**
+     * The median time of the first detection among the flights on which there is one, s since the start; empty if no
+     * look can detect the drone.
+     */
     public OptionalDouble medianDetection() {
         double wanted = 0.5 * detection(Double.POSITIVE_INFINITY);
         double[] times = flights.stream()

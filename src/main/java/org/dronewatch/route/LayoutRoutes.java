@@ -11,8 +11,8 @@ import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.run.Stage;
 
 /**
- * The weakest routes past any layout of sensors; each sensor has been assessed by itself, since rates of independent
- * sensors add. Routes lead to the protected zone, like those of {@link SiteRoutes}. Not thread-safe.
+ * The weakest routes past any layout of sensors. Each sensor has been assessed by itself, since the detection rates of
+ * independent sensors add. Routes lead to the protected zone, like those of {@link SiteRoutes}. Not thread-safe.
  */
 public final class LayoutRoutes {
     private final RouteSite site;
@@ -22,10 +22,11 @@ public final class LayoutRoutes {
      * The routes of a site.
      *
      * @param sensors the sensors, at least one, with distinct names
-     * @param stage stage of their scene, which has a protected zone; the response time is that of its alerts
+     * @param stage stage of the sensors' scene, which has a protected zone; the response time is that of the scene's
+     *     alerts
      * @param drone name of the drone
-     * @throws IllegalArgumentException if there is no sensor, the drone cannot be anywhere on the edge, or it cannot be
-     *     anywhere in the zone
+     * @throws IllegalArgumentException if there is no sensor, or the drone cannot be anywhere on the edge of the
+     *     field's known ground, or anywhere in the zone or next to it
      */
     public LayoutRoutes(Collection<SensorFields> sensors, Stage stage, String drone) {
         SensorFields first = sensors.stream()
@@ -54,7 +55,7 @@ public final class LayoutRoutes {
 
     /**
      * The exposure to a sensor, whether it is in the layout or not, along the part of a route on which a detection
-     * counts.
+     * still leaves the response time.
      *
      * @param routes the routes to which the given route belongs
      * @param sensor name of the sensor

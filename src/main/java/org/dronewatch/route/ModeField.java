@@ -5,7 +5,7 @@ import org.dronewatch.drone.DroneSettings;
 import org.dronewatch.route.search.RouteMode;
 
 /**
- * A mode in which a drone may fly, and how it is detected while it does.
+ * A mode in which a drone may fly, and how the drone is detected in that mode.
  *
  * @param mode the mode
  * @param field field of single looks, on the {@linkplain FlightMode#courses courses} of the mode

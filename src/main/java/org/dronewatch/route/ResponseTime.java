@@ -7,7 +7,7 @@ import org.dronewatch.setting.Quantity;
  * How long it takes from a detection until the intruder is stopped.
  *
  * @param mean expected duration, 0 or more, s
- * @param deviation its standard deviation, 0 or more, s
+ * @param deviation standard deviation of the duration, 0 or more, s
  */
 public record ResponseTime(double mean, double deviation) {
     /**

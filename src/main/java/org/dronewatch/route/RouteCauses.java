@@ -10,8 +10,8 @@ import org.dronewatch.sensor.Cause;
 /**
  * What keeps the sensors from detecting a drone along a route, according to the search.
  *
- * @param dominant the times of the dominant causes: at each moment, that of the sensor that comes nearest to a
- *     detection
+ * @param dominant the times of the dominant causes; at each moment, the dominant cause is that of the sensor that comes
+ *     nearest to a detection
  * @param bySensor the times of each sensor's own causes, in the order of the scene
  */
 public record RouteCauses(CauseTimes dominant, Map<String, CauseTimes> bySensor) {

@@ -5,13 +5,13 @@ import org.dronewatch.geometry.Position;
 /**
  * A point of a route as it is flown.
  *
- * @param time time since the start, s
- * @param distance distance along the path from its start, m
- * @param position its position, m
- * @param above its height above the ground, m
+ * @param time time since the start of the route, s
+ * @param distance distance along the path from the start of the route, m
+ * @param position position of the point, m
+ * @param above height of the point above the ground, m
  * @param mode number of the mode in which the drone flies on from here; at the end of the route, of the mode in which
  *     it arrives
- * @param exposure exposure along the route so far
+ * @param exposure exposure along the route up to this point
  * @param isCorner whether the route begins, turns or ends here
  */
 public record RoutePoint(

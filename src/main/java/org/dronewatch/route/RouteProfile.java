@@ -12,9 +12,9 @@ import org.dronewatch.route.search.RouteProblem;
 
 /**
  * A route as it is flown, from its start to its end: where the drone is at each time, at what height above the ground,
- * and how exposed it has been so far, whether or not a detection would still be in time.
+ * and its exposure to the sensors up to then, whether or not a detection would still be in time.
  *
- * @param points its points in order of time, at least one; the route is straight between two of them
+ * @param points points of the route in order of time, at least one; the route is straight between two of them
  */
 public record RouteProfile(List<RoutePoint> points) {
     /**
@@ -84,7 +84,7 @@ public record RouteProfile(List<RoutePoint> points) {
         return from.plus(to.minus(from).times(share));
     }
 
-    /** Its last point. */
+    /** The last point of the route. */
     public RoutePoint end() {
         return points.get(points.size() - 1);
     }
@@ -94,13 +94,14 @@ public record RouteProfile(List<RoutePoint> points) {
         return end().exposure();
     }
 
-    /** The probability that the drone is detected at least once on it, in time or not, 0 to 1. */
+    /** The probability that the drone is detected at least once on the route, in time or not, 0 to 1. */
     public double detection() {
         return -Math.expm1(-exposure());
     }
 
     /**
-     * The median time of the first detection among the flights on which there is one, s; empty if there is none.
+     * The median time of the first detection among the flights on which there is one, s since the start; empty if the
+     * drone cannot be detected.
      */
     public OptionalDouble medianDetection() {
         double all = detection();
@@ -119,12 +120,14 @@ public record RouteProfile(List<RoutePoint> points) {
         return OptionalDouble.of(end().time());
     }
 
-    /** The exposure up to a time, s. */
+    /** The exposure up to a time, s since the start. */
     public double exposureUntil(double time) {
         return at(time).exposure();
     }
 
-    /** Where the drone is at a time, s since the start: interpolated between two points, and at the end after it. */
+    /**
+     * Where the drone is at a time, s since the start: interpolated between two points; the last point after the end.
+     */
     public RoutePoint at(double time) {
         for (int i = 1; i < points.size(); i++) {
             RoutePoint before = points.get(i - 1);

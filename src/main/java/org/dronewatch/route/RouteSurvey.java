@@ -14,7 +14,7 @@ import org.dronewatch.route.search.RouteMode;
 import org.dronewatch.route.search.WeakestRoute;
 
 /**
- * The weakest route of a site from each sector; or, after an interruption, from those sectors that were completed.
+ * The weakest route of a site from each sector or, after an interruption, from each sector that was completed.
  *
  * @param routes the routes in the order of their sectors; sectors from which no route leads are left out
  * @param modes modes in which the drone flies, in the order of their numbers
@@ -50,7 +50,7 @@ public record RouteSurvey(
      * The routes from all sectors.
      *
      * @param response the time that a response takes, s; 0 if none is required
-     * @param searched receives each sector that was searched
+     * @param searched receives the number of each sector that was searched
      * @param stopped called if this thread has been interrupted and at least one sector is complete; it should clear
      *     the interrupt status
      * @throws CancellationException when this thread is interrupted before any sector is complete
@@ -82,9 +82,10 @@ public record RouteSurvey(
     }
 
     /**
-     * This survey with its routes, or some of them, once they have been flown.
+     * A survey like this one, but with its routes as flown.
      *
-     * @param isWhole whether they are all of the routes
+     * @param flown the routes as flown: all routes of this survey, or some of them
+     * @param isWhole whether these are all of the routes
      */
     public RouteSurvey with(List<SectorRoute> flown, boolean isWhole) {
         return new RouteSurvey(flown, modes, target, response, isComplete && isWhole);
@@ -110,8 +111,9 @@ public record RouteSurvey(
      * time, then the first sector clockwise from the north. Figures that look the same in the tables tie: probabilities
      * to a tenth of a percentage point below 10 %, and to a whole one from there on; exposures to a thousandth below 1,
      * and to a hundredth from there on; times to a tenth of a second below 100 s, and to a second from there on.
-     * Probabilities below 0.1 % and exposures below 0.001 tie with 0. Otherwise a route on which the drone is surely
-     * detected, if only slightly too late, might count as weaker than one on which it is hardly ever detected at all.
+     * Probabilities below 0.1 % and exposures below 0.001 tie with 0. Without these ties, a route on which the drone is
+     * surely detected, if only slightly too late, might count as weaker than one on which it is hardly ever detected at
+     * all.
      */
     public Comparator<SectorRoute> weakestFirst() {
         return Comparator.comparingDouble(

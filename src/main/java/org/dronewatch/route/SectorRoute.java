@@ -11,15 +11,15 @@ import org.dronewatch.flight.FlightPathSettings;
 import org.dronewatch.route.search.WeakestRoute;
 
 /**
- * The weakest route from a sector, and how exposed it is to the sensors: as estimated by the search or, once every look
- * along it has been assessed, as flown.
+ * The weakest route from a sector, and how exposed a drone on it is to the sensors: as estimated by the search or, once
+ * every look along the route has been assessed, as flown.
  *
  * @param sector number of the sector, clockwise from 0 for the north
  * @param route the route, with bounds on the exposure that counts
  * @param searched profile of the whole route, with the exposure in the cells of the search
- * @param bySensor the same exposure along the whole route to each sensor, in the order of the scene
+ * @param bySensor exposure to each sensor along the whole route, in the cells of the search, in the order of the scene
  * @param causes what keeps the sensors from detecting the drone, according to the search
- * @param flown the exposure to all looks along the route; empty if they have not been assessed
+ * @param flown exposure to all looks along the route; empty if these looks have not been assessed
  */
 public record SectorRoute(
         int sector,
@@ -128,7 +128,7 @@ public record SectorRoute(
         return flown.map(looks -> looks.detection(time)).orElseGet(() -> -Math.expm1(-searched.exposureUntil(time)));
     }
 
-    /** By sensor, the exposure along the whole route, as flown if that is known. */
+    /** The exposure to each sensor along the whole route: as flown if that is known, otherwise as searched. */
     public Map<String, Double> sensors() {
         return flown.map(FlownExposure::bySensor).orElse(bySensor);
     }
@@ -158,13 +158,13 @@ public record SectorRoute(
 
     /**
      * The last moment at which a detection still leaves enough time for the response, s since the start; negative if
-     * the response takes longer than the flight, so that no detection is in time.
+     * the response, given in s, takes longer than the flight, so that no detection is in time.
      */
     public double critical(double response) {
         return searched.end().time() - response;
     }
 
-    /** The time from the median first detection to the arrival, s; empty if the drone is not detected. */
+    /** The time from the median first detection to the arrival, s; empty if the drone cannot be detected. */
     public OptionalDouble left() {
         OptionalDouble detected = flown.map(FlownExposure::medianDetection).orElseGet(searched::medianDetection);
         return detected.isPresent()

@@ -4,7 +4,7 @@ import java.util.List;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * One sensor by itself, and how it detects a drone in each mode of flight.
+ * One sensor by itself, and how the sensor detects a drone in each mode of flight.
  *
  * @param settings settings of a scene in which it is the only enabled sensor
  * @param modes the modes, at least one; in the same order and over the same grid for all sensors that are compared

@@ -34,8 +34,8 @@ import org.dronewatch.scenario.SceneSettings;
  * field's heights up to the drone's ceiling, to the protected zone or, without one, to the mean position of the
  * sensors. A route is complete when it reaches the zone. If the zone contains no cell centre, a route is complete
  * within one cell's length of the zone; if there is no zone, within one cell's length, in plan view, of the mean
- * position of the sensors, at the height nearest to theirs. Routes pass through nothing solid. For use by one thread at
- * a time.
+ * position of the sensors, at the height nearest to that of the sensors. Routes pass through nothing solid. For use by
+ * one thread at a time.
  */
 public final class SiteRoutes {
     /** The number of sectors from which routes come: the first is centred on north, the others follow clockwise. */
@@ -81,13 +81,14 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches for all routes from the edge.
+     * Searches for all routes from the edge of the known ground.
      *
      * @param field field of single looks at the drone, on all courses
-     * @param settings settings of its scene; the response time is that of the alerts
-     * @param stage its world and drones
+     * @param settings settings of the field's scene; the response time is that of the alerts
+     * @param stage stage of the scene
      * @param drone name of the drone
-     * @throws IllegalArgumentException if there is nowhere on the edge, or nowhere in the zone, where the drone can be
+     * @throws IllegalArgumentException if the drone cannot be anywhere on the edge, or anywhere in the zone or next to
+     *     it
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static SiteRoutes of(DetectionField field, SceneSettings settings, Stage stage, String drone) {
@@ -97,9 +98,10 @@ public final class SiteRoutes {
     /**
      * Searches for all routes.
      *
-     * @param launch the area in plan view from which the routes come, at any height; from the edge if it is empty
+     * @param launch the area in plan view from which the routes come, at any height; if empty, they come from the edge
+     *     of the known ground
      * @throws IllegalArgumentException if the drone cannot be anywhere in the area from which the routes come, or
-     *     cannot be anywhere in the zone
+     *     anywhere in the zone or next to it
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static SiteRoutes of(
@@ -109,12 +111,12 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches for all routes of a drone that may fly in several modes: it begins in the first of them and may change
-     * to the next one, such as from power to gliding, once and at any node.
+     * Searches for all routes of a drone that may fly in several modes: at any node, the drone may change between modes
+     * under power, or once from power to a glide.
      *
      * @param modes the modes, at least one, with fields over the same grid
-     * @throws IllegalArgumentException if there is no mode, or the drone cannot be anywhere in the area from
-     *     which the routes come, or anywhere in the zone
+     * @throws IllegalArgumentException if there is no mode, or the drone cannot be anywhere in the area from which the
+     *     routes come, or anywhere in the zone or next to it
      */
     public static SiteRoutes of(
             List<ModeField> modes, SceneSettings settings, Stage stage, String drone, Optional<AreaZone> launch) {
@@ -127,17 +129,19 @@ public final class SiteRoutes {
                 .past(SiteExposure.of(modes, settings), field.sensors());
     }
 
-    /** The weakest route that begins in a sector; empty if none leads from there within the endurance of the drone. */
+    /**
+     * The weakest route that begins in a sector; empty if no route leads from there within the endurance of the drone.
+     */
     public Optional<WeakestRoute> from(int sector) {
         return within(starts(sector));
     }
 
     /**
-     * The weakest routes from several sectors, each of which may {@linkplain JoinedRoutes join} another one where that
-     * is less exposed.
+     * The weakest routes from several sectors, each of which may {@linkplain JoinedRoutes join} another one where this
+     * lowers its exposure.
      *
-     * @param routes as found {@linkplain #from from each sector}
-     * @return one route for each of them, in the same order
+     * @param routes the routes as found {@linkplain #from from each sector}
+     * @return one route for each given route, in the same order
      */
     public List<WeakestRoute> joined(List<WeakestRoute> routes) {
         return JoinedRoutes.of(this.routes, routes, startsLike(routes), endurance::allows);
@@ -148,7 +152,7 @@ public final class SiteRoutes {
      *
      * @param routes the weakest routes so far, by sector
      * @param more the field that is added; it does not count in the exposure of the result
-     * @return by sector, the weakest routes of this search; sectors without a route that is short enough are left out
+     * @return by sector, the weakest routes of this search; sectors without a route within the endurance are left out
      */
     public Map<Integer, WeakestRoute> past(Map<Integer, WeakestRoute> routes, ExposureField more) {
         WeakestRoutes again = past.apply(more);
@@ -164,12 +168,13 @@ public final class SiteRoutes {
      * Searches once more, for the routes that are least exposed all the way. In the other searches, the drone takes the
      * fastest path from the point after which detections come too late, even if a slower one would keep it undetected.
      *
-     * @param routes the weakest routes so far, by sector: those of this search may join them
-     * @param sectors for which to search, among those of the routes
+     * @param routes the weakest routes so far, by sector; the routes of this search may join them
+     * @param sectors the sectors from which to search, among those of the routes
      * @param more a field of exposure that is added; it does not count in the exposure of the result
-     * @return by sector, the weakest route of this search, with the exposure on the part on which a detection counts;
-     *     if it takes too long, faster versions of it: one speeds up where this adds the least exposure, the other
-     *     speeds up first where a detection comes too late. Empty for sectors without a route that is short enough
+     * @return by sector, the weakest route of this search, with the exposure on the part on which a detection counts.
+     *     If this route exceeds the endurance, faster versions of it are returned instead: one speeds up where this
+     *     adds the least exposure, the other speeds up first where a detection comes too late. The list is empty for a
+     *     sector without a route within the endurance
      */
     public Map<Integer, List<WeakestRoute>> throughout(
             Map<Integer, WeakestRoute> routes, Set<Integer> sectors, ExposureField more) {

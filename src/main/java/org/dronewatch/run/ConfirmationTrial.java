@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.fusion.Confirmation;
 
 /**
- * The alerts that another confirmation would have raised from the looks of a run.
+ * The alerts that another M-of-N confirmation would have raised from the looks of a run.
  *
  * @param confirm the confirmation
  * @param alerts time at which the alert for each drone would have been raised, by name of the drone, s; empty if never

@@ -59,7 +59,7 @@ public final class DetectionIntervals {
     }
 
     /**
-     * For how long a sensor detects a drone in all, s.
+     * The total time for which a sensor detects a drone, s.
      *
      * @param end the time until which this counts, seconds since the start of the run
      */

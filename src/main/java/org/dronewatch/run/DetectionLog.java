@@ -64,12 +64,12 @@ public final class DetectionLog {
         }
     }
 
-    /** The events in which a sensor gained or lost detection of a drone. */
+    /** The events in which a sensor gained or lost detection of a drone; those of birds are left out. */
     public List<DetectionEvent> events() {
         return List.copyOf(events);
     }
 
-    /** The result for each sensor and each drone. */
+    /** The result for each sensor and each drone; birds are left out. */
     public List<PairResult> pairs() {
         return pairs.values().stream()
                 .filter(pair -> !birds.contains(pair.drone))

@@ -9,11 +9,11 @@ import org.dronewatch.fusion.Alert;
 /**
  * The false alarms of one run.
  *
- * @param counted their number by name of the sensor; a false alarm that lasts for several looks counts once, and a bird
- *     counts each time the sensor begins to detect it
- * @param ofBirds how many of these were caused by birds, by name of the sensor
- * @param alertCount number of false alerts that they raised under the scene's rule
- * @param alerts these alerts in order of time, the first {@link #MOST_ALERTS} at most
+ * @param counted number of false alarms by name of the sensor; a false alarm that lasts for several looks counts once,
+ *     and a bird counts each time the sensor begins to detect it
+ * @param ofBirds how many of the false alarms were caused by birds, by name of the sensor
+ * @param alertCount number of false alerts that the false alarms raised under the scene's rule
+ * @param alerts the false alerts in order of time, at most the first {@link #MOST_ALERTS}
  * @param birds the false alerts for birds, by name of the bird
  * @param trials times of the drones' alerts with other confirmations; none in a scene whose sensors state no
  *     false-alarm rate

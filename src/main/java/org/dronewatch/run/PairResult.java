@@ -7,13 +7,13 @@ import java.util.OptionalDouble;
  *
  * @param run number of the run in a sweep, from 0
  * @param sensor name of the sensor
- * @param kind its kind
+ * @param kind kind of the sensor
  * @param drone name of the drone
- * @param firstDetected when it was first detected, s; empty if never
- * @param range distance of the drone from the sensor at that time, m
- * @param isUnknown whether the line of sight to it left the known ground at that time, so that something may have
- *     hidden it
- * @param maxRange the largest distance at which it was detected, m
+ * @param firstDetected time at which the sensor first detected the drone, s; empty if never
+ * @param range distance of the drone from the sensor at that time, m; empty if never detected
+ * @param isUnknown whether the line of sight left the known ground at that time, so that something may have hidden the
+ *     drone
+ * @param maxRange the largest distance at which the drone was detected, m; empty if never
  */
 public record PairResult(
         int run,

@@ -8,7 +8,7 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * A run that is about to begin.
  *
- * @param run its number in the sweep, from 0
+ * @param run number of the run in the sweep, from 0
  * @param runs number of runs
  * @param settings the settings of the run
  */
@@ -18,7 +18,7 @@ public record RunInfo(int run, int runs, SceneSettings settings) {
      * The runs of a scene, or a single one of them.
      *
      * @param all the settings of all runs, in order
-     * @param only index of the single one, from 0
+     * @param only index of the single run, from 0; empty for all runs
      * @throws IllegalArgumentException when there is no run with that index
      */
     public static List<RunInfo> of(List<SceneSettings> all, OptionalInt only) {

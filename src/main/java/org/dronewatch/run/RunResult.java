@@ -16,13 +16,13 @@ import org.dronewatch.setting.Spelling;
 /**
  * The result of one run of a scene.
  *
- * @param run its number in the sweep, from 0
+ * @param run number of the run in the sweep, from 0
  * @param settings the settings of the run
  * @param simulated simulated time, s
  * @param events detections gained and lost, in order of time
  * @param pairs the result for each sensor and each drone, in the order of the scene
  * @param alerts the alert for each drone, with its lead time
- * @param falseAlarms the reports of sensors that were not caused by a drone
+ * @param falseAlarms the false alarms and false alerts, which no drone caused
  */
 public record RunResult(
         int run,

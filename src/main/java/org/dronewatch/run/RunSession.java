@@ -12,7 +12,7 @@ import org.dronewatch.sensor.Observation;
 
 /**
  * One run of a scene, look by look. The result depends only on settings, seed and models, not on the code that drives
- * the run, its pace, the number of threads, or listeners. For use by one thread; sensors look on the {@link Workers} of
+ * the run, the pace, the number of threads, or listeners. For use by one thread; sensors look on the {@link Workers} of
  * that thread.
  *
  * <pre>{@code
@@ -60,7 +60,7 @@ public final class RunSession implements AutoCloseable {
      * @param info number and settings of the run
      * @param seed seed of all random numbers, instead of that of the settings
      * @param models source of the models
-     * @param control when it ends, and how it is driven
+     * @param control when the run ends, and how it is driven
      * @throws org.dronewatch.setting.InputException when a model is invalid, or does not fit the rest of the settings
      */
     public RunSession(RunInfo info, long seed, ModelCache models, RunControl control) {
@@ -161,8 +161,8 @@ public final class RunSession implements AutoCloseable {
     }
 
     /**
-     * Ends the run and returns its result: up to the last look if there could have been more, otherwise up to its end.
-     * The listeners are notified once.
+     * Ends the run and returns its result, which extends to the last look if more looks were to come, otherwise to the
+     * end of the run. The listeners are notified once.
      *
      * @throws IllegalStateException when the run was closed without a result
      */

@@ -1,13 +1,13 @@
 package org.dronewatch.run;
 
-/** A listener to the events of a scene, called on the thread that runs it, in the order of simulated time. */
+/** A listener to the events of a scene, called on the thread that runs the scene, in the order of simulated time. */
 public interface SceneListener {
 
     /**
      * A run begins: its models are loaded and its sensors created.
      *
-     * @param run its number and settings
-     * @param stage its world and drones, which may be kept and queried by any thread
+     * @param run number and settings of the run
+     * @param stage world and drones of the run, which may be kept and queried by any thread
      */
     default void runStarted(RunInfo run, Stage stage) {}
 

@@ -6,11 +6,11 @@ import java.util.OptionalDouble;
 import org.dronewatch.setting.Spelling;
 
 /**
- * The results of all runs of a scene: asserted in a test, they guard against unnoticed changes in a site's detection
+ * The results of all runs of a scene. A test that asserts them guards against unnoticed changes in a site's detection
  * ranges.
  *
  * @param scene name of the scene
- * @param seed seed of its random numbers
+ * @param seed seed of the scene's random numbers
  * @param threads number of worker threads
  * @param complete false when the runs were stopped early
  * @param runs the runs: one, or one for each value of a sweep

@@ -36,7 +36,10 @@ public final class Sightline {
                 .orElse(true);
     }
 
-    /** Whether a sensor could look at a position, once its positioner has turned to it. */
+    /**
+     * Whether a sensor could see a position once its positioner has turned there: the position is in its field of view
+     * and range, and nothing hides it.
+     */
     public boolean isPossible(SensorSettings<?> sensor, Position position) {
         return isInField(sensor, Mounted.turnedTo(sensor, position), position)
                 && visibility.isFree(sensor.position(), position);

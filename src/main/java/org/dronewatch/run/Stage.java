@@ -231,7 +231,7 @@ public final class Stage {
      *
      * @param time seconds since the start of the run
      * @throws IllegalArgumentException when there is no such drone
-     * @throws IllegalStateException when it is steered, and the time is after {@link #known()}
+     * @throws IllegalStateException when the drone is steered, and the time is after {@link #known()}
      */
     public Position positionOf(String drone, double time) {
         return flight(drone).at(time).position();
@@ -297,7 +297,7 @@ public final class Stage {
      * Reports all rays traced from one drone to one sensor in its first look, without early termination.
      *
      * @param time time at which the position of the drone is taken, seconds since the start of the run
-     * @return whether both exist, and the sensor traces rays
+     * @return whether the sensor and the drone exist, and the sensor traces rays
      */
     public boolean traceRays(double time, String sensor, String drone, RayRecorder target) {
         for (Drone one : dronesAt(time)) {

@@ -33,7 +33,9 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
         return new InputFiles(FileHash.ofText(CanonicalSettings.of(settings)), List.of(), Map.of());
     }
 
-    /** These inputs with more files that describe the scene; those already known are kept. */
+    /**
+     * These inputs with other files that describe the scene: some that have been hashed, then more, each listed once.
+     */
     public InputFiles withScene(List<FileHash> described, List<Path> more) {
         List<FileHash> all = new ArrayList<>(described);
         more.stream().map(InputFiles::hash).filter(file -> !all.contains(file)).forEach(all::add);
@@ -48,7 +50,7 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
     /**
      * The name and the hash of a file.
      *
-     * @throws InputException with a one-line message when it cannot be read
+     * @throws InputException with a one-line message when the file cannot be read
      */
     public static FileHash hash(Path file) {
         try (InputStream bytes = Files.newInputStream(file)) {

@@ -33,18 +33,18 @@ import org.dronewatch.setting.file.SettingsFile;
 import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Places;
 
-/** The forms, besides numbers, in which scene files may give positions. */
+/** The notations, besides coordinates in the scene's frame, in which scene files may state positions. */
 public final class PlaceForms {
     private static final Pattern DEGREES = Pattern.compile("([-+]?[\\d.]+)\\s*,\\s*([-+]?[\\d.]+)");
 
     private PlaceForms() {}
 
     /**
-     * Kinds of settings, with the forms in which positions may be given.
+     * The given kinds, extended by these notations for positions.
      *
      * @param places places of the scene; empty when they cannot be known, since the site's own settings are wrong
-     * @param maps gives the features of a map by its file name or, if there is none, those of the map with the scene's
-     *     name
+     * @param maps returns the features of a map by its file name or, without a file name, those of the map with the
+     *     scene's name
      */
     public static Kinds in(Kinds kinds, Supplier<Optional<Places>> places, Function<Optional<String>, Features> maps) {
         return kinds.with(Position.class, EarthPlace.class, found(places, Places::at))
@@ -70,7 +70,7 @@ public final class PlaceForms {
                                         known.at(maps.apply(point.file()).point(point.feature()))));
     }
 
-    /** The kinds with these forms, without places and maps: only for describing the forms. */
+    /** The given kinds, extended by these notations, but without places and maps: only for describing the notations. */
     public static Kinds in(Kinds kinds) {
         return in(kinds, Optional::empty, file -> {
             throw new IllegalArgumentException("no map is known");
@@ -84,10 +84,10 @@ public final class PlaceForms {
      * The position of a place given on the command line: as in a scene file, or as latitude and longitude in degrees,
      * separated by a comma.
      *
-     * @param option its name in messages
+     * @param option name of the option in messages, such as {@code --from}
      * @param directory directory against which relative file names are resolved
      * @param maps gives the features of a map
-     * @throws InputException with a one-line message when it is not a place, or has no position
+     * @throws InputException with a one-line message when the text is not a place, or the place has no position
      */
     public static Position parse(
             String option, String text, Places places, Path directory, Function<Optional<String>, Features> maps) {
@@ -116,7 +116,7 @@ public final class PlaceForms {
      * An area given on the command line as in a scene file, in plan view: {@code {centre: [0, 900], radius: 50 m}} or
      * {@code {area: [...]}}. Arguments as for {@link #parse}.
      *
-     * @throws InputException with a one-line message when it is not an area, or has no position
+     * @throws InputException with a one-line message when the text is not an area, or the area has no position
      */
     public static ProtectedArea area(
             String option, String text, Places places, Path directory, Function<Optional<String>, Features> maps) {

@@ -23,7 +23,7 @@ public final class Samples {
     private Samples() {}
 
     /**
-     * A record; empty if it has no defaults, or rejects the values tried for the required components.
+     * A record of a type; empty if the type has no defaults, or rejects the values tried for its required components.
      */
     public static Optional<Record> of(Class<?> type) {
         return of(type, 0);

@@ -137,7 +137,7 @@ public final class SceneBuilder {
     /**
      * The description.
      *
-     * @throws IllegalArgumentException if it has no world, or parts of it do not fit together
+     * @throws IllegalArgumentException if the scene has no world, or parts of it do not fit together
      */
     public SceneSettings toSettings() {
         if (whole != null) {

@@ -31,7 +31,7 @@ public record SceneCondition(String name, List<Change> changes) {
      *
      * @param path of the setting, as for {@code --set}
      * @param value the new value, as text
-     * @param mark its location
+     * @param mark location of the change in the file
      */
     public record Change(String path, String value, Mark mark) {}
 

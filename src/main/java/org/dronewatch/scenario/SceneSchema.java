@@ -34,7 +34,7 @@ public final class SceneSchema {
     /**
      * A schema with these descriptions of settings.
      *
-     * @param texts such as {@link PackagedTexts}
+     * @param texts the descriptions, such as {@link PackagedTexts}
      */
     public SceneSchema(SettingTexts texts) {
         this.records = new RecordSchema(kinds, texts, new ValueSchema(kinds, this::reference));
@@ -53,7 +53,7 @@ public final class SceneSchema {
      * The schema of other files that are read with the kinds of scene files; the same for the same class path.
      *
      * @param title what the files are
-     * @param type the record that they describe
+     * @param type record that the files describe
      */
     public String write(String title, Class<? extends Record> type) {
         ObjectNode root = json.createObjectNode();

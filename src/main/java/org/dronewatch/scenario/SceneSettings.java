@@ -216,7 +216,7 @@ public record SceneSettings(
         return Collections.unmodifiableMap(enabled);
     }
 
-    /** Whether a sensor is not switched off. */
+    /** Whether the scene has this sensor, and it is not switched off. */
     public boolean isEnabled(String sensor) {
         return sensors.containsKey(sensor) && !disabled.contains(sensor);
     }

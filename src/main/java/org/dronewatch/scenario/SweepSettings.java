@@ -26,7 +26,7 @@ public sealed interface SweepSettings {
     /**
      * The value that the swept setting has.
      *
-     * @param settings those of one run of the sweep: a {@code SceneSettings}
+     * @param settings settings of one run of the sweep: a {@code SceneSettings}
      * @return a number in the setting's unit, or another scalar; otherwise the text as written, such as a sensor name
      */
     default Object valueIn(Record settings) {

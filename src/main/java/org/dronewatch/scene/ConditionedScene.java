@@ -20,7 +20,7 @@ public record ConditionedScene(String name, SceneSettings settings) {
      *
      * @param runners makes a new runner of the scene without any condition
      * @param drone name of a drone that each of these scenes must have
-     * @throws InputException in one line with the location of a change that does not fit the scene
+     * @throws InputException if a change does not fit the scene, in one line with the location of the change
      */
     public static List<ConditionedScene> of(
             List<SceneCondition> conditions, Supplier<SceneRunner> runners, String drone) {

@@ -15,10 +15,10 @@ import org.dronewatch.setting.InputException;
 
 /**
  * A drone during a run, at the simulator's time: its state, and commands if its flight is {@code steered}. A command
- * takes effect now and holds until the next one; between two commands, velocity and attitude are constant, except that
- * a drone stops at the point to which it was sent by {@link #flyTo}, and the position follows from the velocity. If
- * several commands have the same time, the last one takes effect. A command that a listener gives in response to an
- * observation takes effect just after the look of that observation.
+ * takes effect now and holds until the next one. Between two commands, velocity and attitude are constant, and the
+ * position follows from the velocity; only a drone that {@link #flyTo} sent to a point stops there. If several commands
+ * have the same time, the last one takes effect. A command that a listener gives in response to an observation takes
+ * effect just after the look of that observation.
  *
  * <p>Only the thread that runs the scene may give commands, in a pilot, in events of the simulator or in listeners: a
  * command from another thread would take effect at whatever time the run happened to have reached, and the run could

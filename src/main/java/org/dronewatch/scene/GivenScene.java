@@ -16,7 +16,7 @@ public final class GivenScene extends Scene {
      *
      * @param name in results and in the titles of windows
      * @param directory against which file names in the settings are resolved
-     * @param settings complete, positions included
+     * @param settings complete settings, positions included
      */
     public GivenScene(String name, Path directory, SceneSettings settings) {
         this.name = name;

@@ -116,9 +116,9 @@ public final class PilotedRun {
     }
 
     /**
-     * A drone as it is now.
+     * A drone in flight, at the present time.
      *
-     * @param id its name in the scene; {@code x-1} for the first drone of a swarm {@code x}
+     * @param id name of the drone in the scene; {@code x-1} for the first drone of a swarm {@code x}
      * @throws InputException when there is no such drone
      */
     public DroneInFlight drone(String id) {
@@ -134,7 +134,7 @@ public final class PilotedRun {
      * {@code recorded} repeat them.
      *
      * @param file a file of that name is replaced
-     * @throws InputException when it cannot be written
+     * @throws InputException when the file cannot be written
      */
     public void writeFlights(Path file) {
         double now = time();

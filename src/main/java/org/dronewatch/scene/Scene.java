@@ -138,12 +138,12 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
         building().addToWorld(model);
     }
 
-    /** Sets the ground of a real place, from elevation files; it needs {@link #setOrigin}. */
+    /** Sets the ground of a real place, from elevation files; requires {@link #setOrigin}. */
     protected final void loadTerrain(TerrainSettings terrain) {
         building().setTerrain(terrain);
     }
 
-    /** Sets the buildings of a real place, from a map; it needs {@link #setOrigin}. */
+    /** Sets the buildings of a real place, from a map; requires {@link #setOrigin}. */
     protected final void loadBuildings(BuildingSettings buildings) {
         building().setBuildings(buildings);
     }
@@ -313,7 +313,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /**
      * A drone of the current run, at the simulator's time: for DSOL models that use this scene.
      *
-     * @param id its name in the scene
+     * @param id name of the drone in the scene
      * @throws org.dronewatch.setting.InputException when the scene has no such drone
      * @throws IllegalStateException when the scene is not running
      */
@@ -326,7 +326,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      * that use this scene. Flights of the kind {@code recorded} repeat them.
      *
      * @param file a file of that name is replaced
-     * @throws org.dronewatch.setting.InputException when it cannot be written
+     * @throws org.dronewatch.setting.InputException when the file cannot be written
      * @throws IllegalStateException when the scene is not running
      */
     public final void writeFlights(Path file) {

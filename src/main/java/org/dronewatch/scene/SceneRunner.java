@@ -158,7 +158,7 @@ public final class SceneRunner {
     /**
      * Runs only one of the scene's runs, with the same random numbers as in the whole sweep.
      *
-     * @param run its index in the sweep, from 0; {@link #run()} checks it
+     * @param run index of the run in the sweep, from 0; checked by {@link #run()}
      */
     public SceneRunner only(int run) {
         this.only = OptionalInt.of(run);
@@ -219,7 +219,7 @@ public final class SceneRunner {
     /**
      * The text of a scene file with these settings, which gives the same results.
      *
-     * @param settings those of the scene, or of one of its runs
+     * @param settings settings of the scene, or of one of its runs
      * @param file that is to hold the text; models must be in its directory or below it
      * @throws InputException when a setting cannot be written
      */
@@ -239,7 +239,7 @@ public final class SceneRunner {
      * The settings with another value, as a sweep writes it: a sensor may be replaced by the name of one in the
      * catalogue, but not by that of a system of sensors.
      *
-     * @param settings those of the scene, or of one of its runs
+     * @param settings settings of the scene, or of one of its runs
      * @throws InputException when the path leads nowhere or the value does not fit
      */
     public SceneSettings write(SceneSettings settings, String path, String value) {
@@ -247,8 +247,8 @@ public final class SceneRunner {
     }
 
     /**
-     * Shares the models of another runner of a scene in the same directory: what that one has loaded is not loaded
-     * again. Only that runner's receiver of notes gets the lines about them.
+     * Shares the models of another runner of a scene in the same directory: what that runner has loaded is not loaded
+     * again. Only that runner's receiver of notes gets the lines about the models.
      */
     public SceneRunner share(ModelCache loaded) {
         models = new SceneModels(configured, loaded);
@@ -277,8 +277,9 @@ public final class SceneRunner {
     }
 
     /**
-     * Warns, once, of weather and light in the settings that no sensor of the scene takes into account; a run gives
-     * this warning without being asked. A picture of the site shows weather and light in any case.
+     * Warns, once, of weather and light in the settings that no sensor of the scene takes into account, and of
+     * implausible settings of sensors; a run gives these warnings without being asked. A picture of the site shows
+     * weather and light in any case.
      */
     public void adviseOnConditions() {
         models().adviseOnConditions();
@@ -315,10 +316,10 @@ public final class SceneRunner {
     /**
      * The position of a place on the site of one of the scene's runs; only what this needs is loaded.
      *
-     * @param option its name in messages
+     * @param option name of the option in messages, such as {@code --from}
      * @param text as in a scene file, or latitude and longitude in degrees, separated by a comma
      * @param settings one of {@link #settingsOfRuns()}
-     * @throws InputException with a one-line message when it is not a place, or has no position
+     * @throws InputException with a one-line message when the text is not a place, or the place has no position
      */
     public Position place(String option, String text, SceneSettings settings) {
         Places places = new Places(settings.world(), () -> world(settings).newGround());
@@ -326,10 +327,9 @@ public final class SceneRunner {
     }
 
     /**
-     * An area in plan view on the site of one of the scene's runs, as in a scene file. Arguments as for
-     * {@link #place}.
+     * An area in plan view on the site of one of the scene's runs, as in a scene file. Arguments as for {@link #place}.
      *
-     * @throws InputException with a one-line message when it is not an area, or has no position
+     * @throws InputException with a one-line message when the text is not an area, or the area has no position
      */
     public ProtectedArea area(String option, String text, SceneSettings settings) {
         Places places = new Places(settings.world(), () -> world(settings).newGround());
@@ -337,9 +337,10 @@ public final class SceneRunner {
     }
 
     /**
-     * Kinds of settings, with the forms in which the scene's file may give places on the site of one of its runs.
+     * The given kinds, extended by the notations in which the scene's file may state positions on the site of one of
+     * its runs, such as latitude and longitude.
      *
-     * @param kinds without these forms
+     * @param kinds the kinds without these notations
      * @param settings one of {@link #settingsOfRuns()}
      */
     public Kinds kinds(Kinds kinds, SceneSettings settings) {

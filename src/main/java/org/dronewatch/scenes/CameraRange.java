@@ -43,7 +43,7 @@ public final class CameraRange extends Scene {
 
     /**
      * The mean range: with a focal length of f pixels, a silhouette of A m2 at d metres covers {@code A (f/d)^2}
-     * pixels, and this is the distance at which that number equals the threshold.
+     * pixels; the range is the distance d at which this number of pixels equals the detection threshold.
      */
     @Override
     public OptionalDouble expectedRange(SceneSettings settings, String sensor) {

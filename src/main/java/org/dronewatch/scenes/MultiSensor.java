@@ -14,8 +14,8 @@ import org.dronewatch.sensor.camera.CameraSettings;
 
 /**
  * The range at which a quadrotor is detected from a house on a hill. The house has twelve cameras, three at each corner
- * of its roof, and a microphone in the middle; the drone approaches from the north at 5 m/s. Direction, height,
- * loudness and model of the drone can be changed with {@code --set}: {@code drones.quadrotor.flight.bearing},
+ * of its roof, and a microphone in the middle; the drone approaches from the north at 5 m/s. Direction, height, sound
+ * level and model of the drone can be changed with {@code --set}: {@code drones.quadrotor.flight.bearing},
  * {@code ...flight.height}, {@code ...soundLevel}, {@code ...model.file}.
  */
 public final class MultiSensor extends Scene {

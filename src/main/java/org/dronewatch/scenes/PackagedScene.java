@@ -8,7 +8,7 @@ import org.dronewatch.scene.Scene;
 /**
  * A scene of the library, which can be run by its name.
  *
- * @param name its name on the command line
+ * @param name name of the scene on the command line
  * @param summary one line on what it shows
  * @param factory creates a new instance
  */

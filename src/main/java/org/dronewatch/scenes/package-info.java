@@ -1,2 +1,2 @@
-/** The scenes of the library: each a short example of how to write another. */
+/** The scenes of the library, each of which is also a short example of how to write a scene. */
 package org.dronewatch.scenes;

@@ -15,8 +15,8 @@ public record Assessment(Signal signal, Explanation explanation) {
     /**
      * Checks that the signal and the explanation agree.
      *
-     * @throws IllegalArgumentException when a drone is detected with a cause other than {@link Cause#UNKNOWN}, or
-     *     missed without one
+     * @throws IllegalArgumentException when a detected drone has the cause of a miss, or a missed drone the cause
+     *     {@link Cause#DETECTED}; {@link Cause#UNKNOWN} agrees with either
      */
     public Assessment {
         if (explanation.cause() != Cause.UNKNOWN && signal.isDetected() != (explanation.cause() == Cause.DETECTED)) {

@@ -175,8 +175,8 @@ public final class Assessor {
     }
 
     /**
-     * The signal of a drone if nothing but air were in between; see {@link InterpolableSensor#signalInTheOpen}. Empty
-     * for sensors of other kinds.
+     * The signal of a drone if there were nothing but air between it and the sensor; see
+     * {@link InterpolableSensor#signalInTheOpen}. Empty for sensors of other kinds.
      */
     public Optional<Signal> signalInTheOpen(Drone drone) {
         return interpolable().flatMap(smooth -> smooth.signalInTheOpen(world, drone));

@@ -15,7 +15,9 @@ public enum Condition {
     SUN,
     /** Turbulence of the air: {@code world.light.cn2}. */
     TURBULENCE,
-    /** The brightness of the ground behind a drone: {@code world.light.skyToGroundRatio}. */
+    /**
+     * The luminance of the ground behind a drone, relative to that of the sky: {@code world.light.skyToGroundRatio}.
+     */
     GROUND_BRIGHTNESS,
     /** The rain rate: {@code world.rain}. */
     RAIN,
@@ -25,12 +27,9 @@ public enum Condition {
     WIND,
     /** The noise sources of the site: those of {@code world.noiseSources} that state no level for the level model. */
     NOISE_SOURCES,
-    /** The loudness of a drone, given by its calibrated level: {@code drones.ID.soundLevel}, where only that is set. */
+    /** The source level of a drone in the level model: {@code drones.ID.soundLevel}, where only that is set. */
     SOUND_LEVEL("soundLevel"),
-    /**
-     * The loudness of a drone, given by its sound power level: {@code drones.ID.soundPowerLevel}, where only that is
-     * set.
-     */
+    /** The sound power level of a drone: {@code drones.ID.soundPowerLevel}, where only that is set. */
     SOUND_POWER_LEVEL("soundPowerLevel"),
     /** The spectrum of a drone, chosen by name from the library's table: {@code drones.ID.sound}. */
     SOUND("sound"),

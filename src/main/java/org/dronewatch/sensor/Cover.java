@@ -29,17 +29,20 @@ public final class Cover {
         return visibility.world();
     }
 
-    /** The obstacle between the sensor and the drone's origin. */
+    /** The first obstacle between the sensor and the drone's origin; empty if there is none. */
     public Optional<Obstacle> ofOrigin(Drone drone) {
         return ofPoint(drone.origin());
     }
 
-    /** The obstacle between the sensor and a point, m. */
+    /** The first obstacle between the sensor and a point, m; empty if there is none. */
     public Optional<Obstacle> ofPoint(Position point) {
         return visibility.obstacle(sensor, point);
     }
 
-    /** The obstacle that hides the drone's origin or, if none does, the first hidden vertex of its mesh. */
+    /**
+     * The obstacle that hides the drone's origin or, if none does, the first hidden vertex of its mesh; empty if
+     * nothing hides either.
+     */
     public Optional<Obstacle> of(Drone drone) {
         Optional<Obstacle> before = ofOrigin(drone);
         TriangleMesh mesh = drone.tree().mesh();

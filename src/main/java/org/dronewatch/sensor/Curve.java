@@ -6,7 +6,7 @@ import java.util.List;
  * A curve of a sensor for one drone, as data for a plot.
  *
  * @param name part of a file name: letters, digits and dashes
- * @param title title of the plot, with the result
+ * @param title title of the plot, including the result
  * @param xTitle quantity and unit of the horizontal axis; an axis in {@code [Hz]} is logarithmic
  * @param yTitle quantity and unit of the vertical axis
  * @param x horizontal coordinates

@@ -14,7 +14,7 @@ public interface CurveSensor extends Sensor {
      * The curves for a drone; often none.
      *
      * @param world the site
-     * @param drone the drone as it is now
+     * @param drone the drone in its present state
      * @param random random numbers for the purpose {@link #CURVES}
      */
     List<Curve> curves(World world, Drone drone, RandomGenerator random);

@@ -8,7 +8,7 @@ package org.dronewatch.sensor;
 public record Detection(Observation observation) {
 
     /**
-     * Checks that it is a detection.
+     * Checks that the observation is a detection.
      *
      * @throws IllegalArgumentException when the value is below the threshold
      */

@@ -3,10 +3,10 @@ package org.dronewatch.sensor;
 /**
  * The discrimination level required of a drone's image, with the number of line pairs across the target at which the
  * probability is 0.5 (N50), and the probability at other numbers. Johnson (1958) counted 1, 4 and 6.4 line pairs across
- * the smaller dimension of a target. Here line pairs are counted across the square root of its area, and three quarters
- * as many suffice (Kennedy, "Recognition criterion for two-dimensional minimum resolvable temperature difference", SPIE
- * 1488, 1991). At other numbers, the target transfer probability function gives the probability (Howe, in "The Infrared
- * and Electro-Optical Systems Handbook", vol. 4, 1993).
+ * the smaller dimension of a target. In this model, line pairs are counted across the square root of the target's area,
+ * and three quarters as many suffice (Kennedy, "Recognition criterion for two-dimensional minimum resolvable
+ * temperature difference", SPIE 1488, 1991). At other numbers, the target transfer probability function gives the
+ * probability (Howe, in "The Infrared and Electro-Optical Systems Handbook", vol. 4, 1993).
  */
 public enum Discrimination {
     /** The presence of an object is noticed: 0.75 line pairs. */

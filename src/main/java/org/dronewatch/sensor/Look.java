@@ -77,7 +77,8 @@ public record Look(
      * @param drone name of the drone
      * @param rate looks per second of the sensor, Hz
      * @param probability probability of the sensor's {@link Signal}, 0 to 1
-     * @return above 0; infinite while the observer could find the drone, but has not found it yet
+     * @return the threshold, above 0; infinite if the observer is able to find the drone but has not found it yet, so
+     *     that this look cannot detect it
      */
     public double observerThreshold(String drone, double rate, double probability) {
         Encounter encounter = encounter(drone, rate);
@@ -86,7 +87,7 @@ public record Look(
 
     /**
      * The probability that this look at a drone must reach for the observer to locate it, so that a positioner can
-     * follow it; otherwise as {@link #observerThreshold}.
+     * follow it. In all other respects as {@link #observerThreshold}.
      *
      * @param probability probability of the detection task, 0 to 1
      */

@@ -26,7 +26,7 @@ public interface Mounted {
     Optional<Pointing> turnedTo(Position target);
 
     /**
-     * The settings of this sensor on a fixed mount that points as its positioner does at present.
+     * The settings of this sensor on a fixed mount, with the given pointing of its positioner.
      *
      * @param pointing direction and field of view
      */

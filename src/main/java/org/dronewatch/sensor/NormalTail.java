@@ -15,7 +15,8 @@ public final class NormalTail {
     /**
      * The probability Q(t) that a standard normal variable exceeds t, with a relative error of 1e-12: Laplace's
      * continued fraction {@code density / (t + 1/(t + 2/(t + 3/...)))} for large t, and
-     * {@code 1/2 - density (t + t^3/3 + t^5/15 + ...)} for small t (Abramowitz and Stegun, 26.2.14 and 26.2.11).
+     * {@code 1/2 - density (t + t^3/3 + t^5/15 + ...)} for small t (Abramowitz and Stegun, 26.2.14 and 26.2.11), where
+     * {@code density} is the standard normal density at t.
      */
     public static double above(double t) {
         if (t < -FAR) {

@@ -124,7 +124,8 @@ public record Observation(
     }
 
     /**
-     * The measurements that the sensor reports from this look; none for a drone that it neither detected nor sighted.
+     * The measurements that the sensor reports from this look; none for a drone that was not detected and whose
+     * position or direction was not estimated.
      */
     public List<Measurement> measurements() {
         return isDetected() || sighting.isPresent() ? List.of(new Measurement(look, reading, sighting)) : List.of();

@@ -14,7 +14,7 @@ public interface RaySensor extends Sensor {
      * Traces all rays from one drone to this sensor.
      *
      * @param world the site
-     * @param drone the drone as it is now
+     * @param drone the drone in its present state
      * @param random the random numbers of the rays
      * @param recorder receives every segment of every ray
      */

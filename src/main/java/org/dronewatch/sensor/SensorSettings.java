@@ -12,7 +12,7 @@ import org.dronewatch.world.World;
  * that the record implements as well, such as {@link Aimed}, {@link Mounted}, {@link Outlined}, {@link Imaging},
  * {@link DirectionFinding} and {@link SoundTracing}. Obtain one with {@link #as}.
  *
- * @param <S> the sensor that they create
+ * @param <S> the type of sensor that these settings create
  */
 public interface SensorSettings<S extends Sensor> extends Settings<S> {
 
@@ -29,10 +29,10 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
      */
     SensorSettings<S> withPosition(Position other);
 
-    /** The rate of its looks, Hz, above 0: frames, updates or scans per second. */
+    /** The rate of the sensor's looks, Hz, above 0: frames, updates or scans per second. */
     double rate();
 
-    /** The name of its kind in results, such as {@code camera}. */
+    /** The name of this kind of sensor in results, such as {@code camera}. */
     String kind();
 
     /** Whether chance decides anew in each look, as it does unless overridden, or once per encounter. */
@@ -63,7 +63,7 @@ public interface SensorSettings<S extends Sensor> extends Settings<S> {
      * These settings as a capability of the sensor; empty if it does not have that capability. A record whose
      * capabilities depend on its components overrides this.
      *
-     * @param capability such as {@code Mounted.class}
+     * @param capability interface of the capability, such as {@code Mounted.class}
      */
     default <C> Optional<C> as(Class<C> capability) {
         return capability.isInstance(this) ? Optional.of(capability.cast(this)) : Optional.empty();

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor;
 
 /**
- * Settings of a sensor that traces sound through the site: the world's acoustic surfaces matter to it, and it may lie
- * on one. This is a capability, queried by {@link SensorSettings#as}.
+ * Settings of a sensor that traces sound through the site: the world's acoustic surfaces matter to it, and the sensor
+ * may lie on a surface. This is a capability, queried by {@link SensorSettings#as}.
  */
 public interface SoundTracing {
 

@@ -10,7 +10,7 @@ import java.util.Set;
 /**
  * The canonical text of a settings record, equal for equal settings on every machine: a line {@code path=value} for
  * each value, in the order of the record, numbers as in {@link Double#toString(double)}, and a line with the type of
- * each record that was chosen among several.
+ * each nested record and the size of each collection.
  */
 public final class CanonicalSettings {
     private final StringBuilder text = new StringBuilder();

@@ -1,8 +1,8 @@
 package org.dronewatch.setting;
 
 /**
- * Range checks for values that are not record components (see {@link Limits} for those): each check returns its value,
- * or throws an exception that names it, its value and the limit.
+ * Range checks for values that are not record components (see {@link Limits} for those): each check returns the value,
+ * or throws an {@link IllegalArgumentException} that states its name, the value and the limit.
  */
 public final class Check {
 

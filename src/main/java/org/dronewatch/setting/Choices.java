@@ -10,9 +10,9 @@ public final class Choices {
     private Choices() {}
 
     /**
-     * The kinds of an interface by the names used in scene files: for a sealed interface, those that it permits, where
-     * {@code OnTheRun} is {@code on-the-run}; for any other, those on the class path. Kinds that are not records cannot
-     * be written in files.
+     * The kinds of an interface by the names used in scene files: for a sealed interface, the kinds that it permits,
+     * with names such as {@code on-the-run} for {@code OnTheRun}; for any other interface, the kinds on the class path.
+     * Kinds that are not records cannot be written in files.
      *
      * @throws InputException when a kind on the class path is invalid
      */

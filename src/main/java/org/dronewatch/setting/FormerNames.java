@@ -16,7 +16,7 @@ public final class FormerNames {
     /**
      * A setting that had another name in earlier versions.
      *
-     * @param record the settings record that has it
+     * @param record the settings record that has the setting
      */
     public record Renamed(Class<?> record, String former, String current) {}
 

@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
  * A kind with its origin.
  *
  * @param kind the kind
- * @param source path of its jar or directory of classes
+ * @param source path of the jar, or of the directory of classes, that provides the kind
  * @param builtIn whether it belongs to the library
  */
 public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
@@ -55,7 +55,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         return new FoundKind(kind, place, isBuiltIn(place));
     }
 
-    /** The origin of a class: path of its jar or directory of classes. */
+    /** The origin of a class: the path of its jar or directory of classes. */
     public static String placeOf(Class<?> type) {
         CodeSource code = type.getProtectionDomain().getCodeSource();
         URL place = code == null ? null : code.getLocation();

@@ -29,8 +29,8 @@ import java.lang.annotation.Target;
  *   <li><b>Limits</b> are numbers in that unit. {@link #from} and {@link #to} are themselves allowed, {@link #above}
  *       and {@link #below} are not; a limit that is omitted does not apply. Every number must be finite.
  *   <li><b>Where it applies.</b> On components of type {@code int}, {@code long}, {@code double}, their boxed types,
- *       and lists and {@link java.util.Optional}s of them. A component without it takes a number without a unit, and
- *       is not checked.
+ *       and lists and {@link java.util.Optional}s of them. A component without this annotation takes a number
+ *       without a unit, and is not checked.
  *   <li><b>When it is checked.</b> A scene checks all its records once its settings are complete, before anything is
  *       loaded. A record whose constructor calls {@link Limits#check(Class, Object...)} rejects an invalid number
  *       immediately, so that the stack trace names the line of code.

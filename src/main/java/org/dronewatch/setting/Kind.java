@@ -3,8 +3,8 @@ package org.dronewatch.setting;
 import java.util.List;
 
 /**
- * A kind of settings that scenes can choose by name: a kind of sensor, of flight, of propagation. A provider implements
- * this interface, has a public constructor without parameters, and is named in its jar's {@code
+ * A kind of settings that scenes can choose by name, such as a kind of sensor, of flight or of propagation. A provider
+ * implements this interface, has a public constructor without parameters, and is named in its jar's {@code
  * META-INF/services/org.dronewatch.setting.Kind}, where {@link java.util.ServiceLoader} finds it. Files name kinds,
  * never classes, so the class path alone decides which code can run.
  *
@@ -28,8 +28,8 @@ public interface Kind<T> {
     String summary();
 
     /**
-     * Other words for it, in lower case, that somebody may write instead of its name. Files do not accept them, but a
-     * message then suggests the name.
+     * Other words for the kind, in lower case, that somebody may write instead of its name. Files do not accept them,
+     * but a message then suggests the name.
      */
     default List<String> synonyms() {
         return List.of();
@@ -47,7 +47,7 @@ public interface Kind<T> {
         return new PlainKind<>(type, name, settings, summary, List.of());
     }
 
-    /** This kind with other words for it: see {@link #synonyms}. */
+    /** This kind with other {@link #synonyms}, which replace any that it has. */
     default Kind<T> withSynonyms(String... words) {
         return new PlainKind<>(type(), name(), settings(), summary(), List.of(words));
     }

@@ -62,7 +62,7 @@ public final class KindRegistry {
     /**
      * The kinds of this program's class path; the search runs once.
      *
-     * @throws InputException when a provider cannot be loaded, declares an invalid kind, or a name is duplicated
+     * @throws InputException when a provider cannot be loaded or declares an invalid kind, or when a name is duplicated
      */
     public static synchronized KindRegistry found() {
         if (found == null) {
@@ -152,7 +152,7 @@ public final class KindRegistry {
         return Collections.unmodifiableMap(byType.getOrDefault(type, Map.of()));
     }
 
-    /** The kind that has these settings. */
+    /** The kind with this class of settings; empty if there is none. */
     public Optional<Kind<?>> kindOf(Class<?> settings) {
         return all.stream()
                 .<Kind<?>>map(FoundKind::kind)

@@ -28,10 +28,10 @@ public final class Limits {
     /**
      * Checks the components of a record.
      *
-     * @param record its class
+     * @param record the record's class
      * @param values one for each component, in their order
-     * @throws IllegalArgumentException when one is missing or outside its limits; the message names it, its value and
-     *     the limit
+     * @throws IllegalArgumentException when a component is missing or outside its limits; the message names the
+     *     component, its value and the limit
      */
     public static void check(Class<? extends Record> record, Object... values) {
         List<Component> components = COMPONENTS.get(record);
@@ -58,8 +58,8 @@ public final class Limits {
      * that the limits of {@link In} hold even for records whose constructors do not check them.
      *
      * @param tree settings
-     * @throws IllegalArgumentException when one is missing or outside its limits; the message begins with its path, as
-     *     in {@code sensors.gate.position.x}
+     * @throws IllegalArgumentException when a component is missing or a number is outside its limits; the message
+     *     begins with the path of the component, as in {@code sensors.gate.position.x}
      */
     public static void checkAll(Object tree) {
         checkAll("", tree);
@@ -100,7 +100,7 @@ public final class Limits {
 
     /**
      * Why a number is refused, in the unit in which it was written if that is not the usual one, as in {@code
-     * rotorSpeed 90000 rpm must be above 0 and at most 60000 rpm}. One that is too great for any number is repeated as
+     * rotorSpeed 90000 rpm must be above 0 and at most 60000 rpm}. A number too great to be represented is repeated as
      * it was written, as in {@code budget 1e400 must be 0 to 1e12}.
      *
      * @param part a component whose value is not within its limits

@@ -1,6 +1,8 @@
 package org.dronewatch.setting;
 
-/** Reports that a settings file cannot name a file, because that is neither in its directory nor below it. */
+/**
+ * Reports that a settings file cannot name a file that is neither in the directory of the settings file nor below it.
+ */
 public final class OutsideFileException extends InputException {
     private static final long serialVersionUID = 1L;
 

@@ -41,7 +41,7 @@ public enum Quantity {
     AREA("m2", unit -> Area.valueOf(unit).si),
     /** Kelvin; a value in degrees Celsius or Fahrenheit is a temperature, not a temperature difference. */
     TEMPERATURE("K", unit -> AbsoluteTemperature.valueOf(unit).si),
-    /** Kelvin, between two temperatures. */
+    /** Kelvin, for the difference between two temperatures. */
     TEMPERATURE_DIFFERENCE("K", unit -> Temperature.valueOf(unit).si),
     /** Pascals. */
     PRESSURE("Pa", unit -> Pressure.valueOf(unit).si),
@@ -61,7 +61,7 @@ public enum Quantity {
     PRECIPITATION("mm/h", Quantity::unitOfItself),
     /** Lux. */
     ILLUMINANCE("lx", Quantity::unitOfItself),
-    /** Refractive-index structure constant of turbulent air. */
+    /** Refractive-index structure parameter Cn^2 of turbulent air. */
     REFRACTIVE_INDEX_STRUCTURE("m^-2/3", Quantity::unitOfItself),
     /** Pixels. */
     PIXELS("px", Quantity::unitOfItself),
@@ -99,7 +99,10 @@ public enum Quantity {
         return unit;
     }
 
-    /** The unit in which a value is displayed: degrees for angles, otherwise that of a bare number. */
+    /**
+     * The unit in which a value is displayed: degrees for angles, degrees per second for angular speeds, otherwise that
+     * of a bare number.
+     */
     public String displayUnit() {
         return switch (this) {
             case ANGLE -> "deg";

@@ -160,8 +160,9 @@ public final class SettingText {
     /**
      * Reads a record that consists of numbers only.
      *
-     * @param texts one for each component, or a single one for all where that is allowed: {@link OneForAll}
-     * @throws IllegalArgumentException when there are more or fewer, or one is not a number
+     * @param texts one for each component, or a single one for all if the record is marked with {@link OneForAll}
+     * @throws IllegalArgumentException when there are more or fewer, or when one is not a number or is outside its
+     *     limits
      */
     public static Record numbers(SettingsForm form, List<String> texts) {
         if (texts.size() == 1 && form.parts().size() > 1 && form.type().isAnnotationPresent(OneForAll.class)) {

@@ -19,8 +19,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The form of a settings record: its components, required or with their defaults (see {@link Defaults}). It creates
- * records through their own constructors, so that all limits are checked.
+ * The form of a settings record: its components, required or with their defaults (see {@link Defaults}). The form
+ * creates records through their own constructors, so that all limits are checked.
  */
 public final class SettingsForm {
     private static final ClassValue<SettingsForm> FORMS = new ClassValue<>() {
@@ -107,7 +107,7 @@ public final class SettingsForm {
                         .toList();
     }
 
-    /** The component with this name. */
+    /** The component with this name; empty if there is none that can be written in files. */
     public Optional<RecordComponent> part(String name) {
         return parts().stream().filter(part -> part.getName().equals(name)).findFirst();
     }
@@ -131,10 +131,10 @@ public final class SettingsForm {
     }
 
     /**
-     * A question at the end of a message about an unknown name: the current name of the component that was probably
-     * meant; empty if none is similar enough.
+     * A question for the end of a message about an unknown name, {@code ; did you mean 'fov'?}, with the current name
+     * of the component that was probably meant; empty if no name is similar enough.
      *
-     * @param others other names that are valid there
+     * @param others other names that are valid where this one was typed
      */
     public String didYouMean(String typed, Collection<String> others) {
         List<String> known = new ArrayList<>(names());
@@ -154,7 +154,7 @@ public final class SettingsForm {
                 .orElseThrow(() -> new IllegalStateException(type.getName() + " has no component " + name));
     }
 
-    /** The names of those parts that have no default. */
+    /** The names of the components that have no default. */
     public List<String> required() {
         return required;
     }
@@ -193,7 +193,7 @@ public final class SettingsForm {
     /**
      * Creates a record.
      *
-     * @param values by name of the component; all required ones, and any others
+     * @param values by name of the component: those of all required components, and of any others
      * @throws IllegalArgumentException when a limit is violated
      */
     public Record create(Map<String, Object> values) {

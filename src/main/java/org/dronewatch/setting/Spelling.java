@@ -65,8 +65,8 @@ public final class Spelling {
     /**
      * A message about an unknown name: {@code no sensor 'radr'; the scene has radar, roof}.
      *
-     * @param what what has such a name, in the singular
-     * @param owner what has the names that exist
+     * @param what the kind of thing with that name, in the singular, such as {@code sensor}
+     * @param owner what contains the things that exist, such as {@code the scene}
      * @param names the names that exist; the first {@value #LISTED} are listed
      */
     public static String unknown(String what, String typed, String owner, Collection<String> names) {

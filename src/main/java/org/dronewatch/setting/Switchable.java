@@ -7,8 +7,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks a component of a settings record that holds settings by name, each of which can be switched off: with
- * {@code enabled: false} among its settings, or by {@code NAME.enabled}, regardless of the type of its record. Disabled
+ * Marks a component of a settings record that holds entries by name, each of which can be switched off, whatever the
+ * type of its record: with {@code enabled: false} among the settings of the entry, or by {@code NAME.enabled}. Disabled
  * names are kept in another component of the record (a set of strings) that does not appear in files. {@code enabled}
  * is reserved: an entry's record cannot have a component of that name.
  */

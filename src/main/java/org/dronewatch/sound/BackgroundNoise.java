@@ -27,12 +27,12 @@ public record BackgroundNoise(@In(value = Quantity.LEVEL, from = -20, to = 140) 
         Limits.check(BackgroundNoise.class, level, shape);
     }
 
-    /** A level with the default spectrum. */
+    /** Noise with the default spectrum and an A-weighted level, dB re 20 uPa. */
     public static BackgroundNoise of(double level) {
         return new BackgroundNoise(level, FALLING);
     }
 
-    /** A measured spectrum: sound pressure levels by band, dB re 20 uPa, without weighting. */
+    /** Noise with a measured spectrum: sound pressure levels by band, dB re 20 uPa, without weighting. */
     public static BackgroundNoise of(BandLevels spectrum) {
         return new BackgroundNoise(spectrum.aWeighted(), spectrum);
     }

@@ -21,14 +21,14 @@ public final class Barrier {
     public static final double SINGLE_EDGE_SPAN = 0.3;
 
     /**
-     * Magnitude of the negative path difference, in wavelengths, beyond which an edge causes no attenuation: N = -0.1,
-     * since N counts half wavelengths.
+     * Magnitude of the negative path difference, in wavelengths, beyond which an edge causes no attenuation: a Fresnel
+     * number of -0.1, since that counts half wavelengths.
      */
     public static final double MAEKAWA_REACH = 0.05;
 
     /**
      * Magnitude of the negative path difference, in wavelengths, beyond which an edge causes no attenuation in ISO
-     * 9613-2: N = -0.2.
+     * 9613-2: a Fresnel number of -0.2.
      */
     public static final double ISO_REACH = 0.1;
 
@@ -48,9 +48,10 @@ public final class Barrier {
     }
 
     /**
-     * Attenuation by a thin half-plane, {@code 10 lg(3 + 20 N)}: the curve through Maekawa's measurements (Applied
-     * Acoustics 1, 157, 1968) for a point source. The attenuation is 0 below N = -0.1, where the formula reaches 0, and
-     * at most {@value #LIMIT} dB, the limit of the standards, since scattering and turbulence fill deeper shadows.
+     * Attenuation by a thin half-plane, {@code 10 lg(3 + 20 N)} with the Fresnel number N: the curve through Maekawa's
+     * measurements (Applied Acoustics 1, 157, 1968) for a point source. The attenuation is 0 below N = -0.1, where the
+     * formula reaches 0, and at most {@value #LIMIT} dB, the limit of the standards, since scattering and turbulence
+     * fill deeper shadows.
      *
      * @param pathDifference m
      * @param wavelength above 0, m
@@ -62,8 +63,9 @@ public final class Barrier {
 
     /**
      * Attenuation according to ISO 9613-2:1996, equation (14), with C2 = 20 (reflections from the ground included) and
-     * Kmet = 1 (no bending by wind or temperature); C3 is 1 for one edge and that of equation (15) for several. The
-     * attenuation is at most {@value #ISO_SINGLE_EDGE_LIMIT} dB for one edge, and {@value #LIMIT} dB for several.
+     * Kmet = 1 (the path is not bent by wind or temperature); C3 is 1 for one edge and that of equation (15) for
+     * several. The attenuation is at most {@value #ISO_SINGLE_EDGE_LIMIT} dB for one edge, and {@value #LIMIT} dB for
+     * several.
      *
      * @param pathDifference m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m
@@ -77,8 +79,9 @@ public final class Barrier {
 
     /**
      * Attenuation according to CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6),
-     * {@code 10 lg(3 + 40 C'' delta / lambda)}, in still air (homogeneous conditions); for one edge, this is Maekawa's
-     * curve. C'' is 1 for a span of up to {@value #SINGLE_EDGE_SPAN} m. The attenuation is at most {@value #LIMIT} dB.
+     * {@code 10 lg(3 + 40 C'' delta / lambda)}, with the path difference delta and the wavelength lambda, in still air
+     * (homogeneous conditions); for one edge, this is Maekawa's curve. The factor C'' for several edges is 1 for a span
+     * of up to {@value #SINGLE_EDGE_SPAN} m. The attenuation is at most {@value #LIMIT} dB.
      *
      * @param pathDifference m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m

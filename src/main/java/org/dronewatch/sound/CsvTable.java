@@ -49,7 +49,7 @@ public final class CsvTable<T> {
         return rows.keySet();
     }
 
-    /** The row of a name; empty if there is none. */
+    /** The row with this name; empty if there is none. */
     public Optional<T> find(String name) {
         return Optional.ofNullable(rows.get(name));
     }
@@ -57,7 +57,7 @@ public final class CsvTable<T> {
     /**
      * The row of a name.
      *
-     * @throws InputException if there is none, with the closest names
+     * @throws InputException if there is none; its message names the closest matches
      */
     public T get(String name) {
         return find(name)

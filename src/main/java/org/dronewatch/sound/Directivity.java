@@ -1,6 +1,6 @@
 package org.dronewatch.sound;
 
-/** The dependence of a source's sound on the elevation at which it is radiated. */
+/** The dependence of a source's level on the elevation at which the sound is radiated. */
 public enum Directivity {
     /** The sound is the same in all directions. */
     OMNIDIRECTIONAL {
@@ -11,9 +11,9 @@ public enum Directivity {
     },
     /**
      * Directivity of rotors: from 500 Hz upwards, fainter near their plane and louder above and below it. A high shelf
-     * of {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with t in degrees (Heutschi and others, Acta Acustica 4, 24, 2020);
-     * how a shelf at 500 Hz is apportioned among octave bands is assumed: none of its gain up to 250 Hz, half of it (in
-     * dB) at 500 Hz, and all of it from 1 kHz upwards.
+     * of {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with the elevation t from the rotors' plane in degrees (Heutschi and
+     * others, Acta Acustica 4, 24, 2020); how a shelf at 500 Hz is apportioned among octave bands is assumed: none of
+     * its gain up to 250 Hz, half of it (in dB) at 500 Hz, and all of it from 1 kHz upwards.
      */
     ROTOR {
         @Override
@@ -24,9 +24,9 @@ public enum Directivity {
     },
     /**
      * Directivity of a DJI Matrice 300 in flight at 5 m/s, measured below it up to 60 degrees from the vertical
-     * (Ramos-Romero and others, Aerospace Science and Technology 140, 108537, 2023). Nearer to the plane of the rotors
-     * it is extrapolated; above the plane, the sound is assumed to be the same as below. The published gain is the
-     * level at 1 m relative to the level straight below.
+     * (Ramos-Romero and others, Aerospace Science and Technology 140, 108537, 2023). Nearer to the plane of the rotors,
+     * the directivity is extrapolated; above the plane, the sound is assumed to be the same as below. The published
+     * gain is the level at 1 m relative to the level straight below.
      */
     M300 {
         @Override
@@ -49,7 +49,8 @@ public enum Directivity {
     private volatile double[] mean;
 
     /**
-     * Gain as published, dB, relative to a level that is not the mean over all directions.
+     * Gain as published, dB, relative to a level that need not be the mean over all directions; {@link #index} is
+     * relative to that mean.
      *
      * @param band 0 for 63 Hz to 7 for 8 kHz
      * @param elevation elevation from the rotors' plane, -pi/2 to pi/2 rad; the same above and below

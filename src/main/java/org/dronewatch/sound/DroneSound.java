@@ -15,7 +15,7 @@ import java.util.List;
  */
 public record DroneSound(String name, double level, List<Double> shape, Basis basis, String source) {
 
-    /** The basis of figures. */
+    /** How the figures of a sound were obtained. */
     public enum Basis {
         /** Measured, as the source states. */
         MEASURED,

@@ -24,8 +24,8 @@ public final class Levels {
     }
 
     /**
-     * Reduction of a sound power level by spherical spreading: {@code 10 lg(4 pi r^2)}, with the reference impedance of
-     * 400 Pa s/m at which power and pressure levels agree.
+     * The sound power level of a source (dB re 1 pW) minus its sound pressure level (dB re 20 uPa) at a distance of r
+     * metres, due to spherical spreading: {@code 10 lg(4 pi r^2)}, for the reference impedance of 400 Pa s/m.
      *
      * @param distance above 0, m
      * @return dB

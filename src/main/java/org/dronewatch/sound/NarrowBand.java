@@ -6,7 +6,7 @@ import java.util.Optional;
  * The band in which a tone is searched for: as wide as the tone, within one octave band.
  *
  * @param frequency its centre frequency, Hz
- * @param width Hz, above 0 and at most that of the octave band
+ * @param width its width, Hz, above 0 and at most that of the octave band
  * @param octave the octave band in which its centre lies, 0 for 63 Hz to 7 for 8 kHz
  */
 public record NarrowBand(double frequency, double width, int octave) {
@@ -24,7 +24,7 @@ public record NarrowBand(double frequency, double width, int octave) {
      * of their speed, 0.5 % plus 0.52 % for each m/s of wind, is the relative width of all their tones (Heutschi and
      * others, Acta Acustica 4, 24, 2020, at a height of 10 m).
      *
-     * @param frequency frequency at the listener, Hz
+     * @param frequency frequency of the tone, Hz
      * @param wind wind speed, m/s, 0 or more
      * @return empty outside the octave bands from 63 Hz to 8 kHz
      */
@@ -43,7 +43,10 @@ public record NarrowBand(double frequency, double width, int octave) {
         return width / octaveWidth(octave);
     }
 
-    /** The reduction of noise with a flat spectrum, compared with the octave band, dB: {@code 10 lg(B_octave / B)}. */
+    /**
+     * How much less noise with a flat spectrum this band receives than its octave band, dB:
+     * {@code 10 lg(B_octave / B)}, with the widths of the two bands.
+     */
     public double gain() {
         return -Levels.ofRatio(fraction());
     }

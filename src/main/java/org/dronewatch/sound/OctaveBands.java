@@ -15,7 +15,7 @@ public final class OctaveBands {
 
     private OctaveBands() {}
 
-    /** Exact midband frequency, Hz: {@code 1000 * 10^(0.3 k)} (IEC 61260-1, base ten). */
+    /** Exact midband frequency, Hz: {@code 1000 * 10^(0.3 k)} for the k-th band above 1 kHz (IEC 61260-1, base ten). */
     public static double midband(int band) {
         return 1000.0 * Math.pow(10.0, 0.3 * (band - ONE_KILOHERTZ));
     }

@@ -13,7 +13,8 @@ public final class Refraction {
     private Refraction() {}
 
     /**
-     * Angle of refraction by Snell's law, {@code sin t2 / sin t1 = c2 / c1}.
+     * Angle of refraction t2 by Snell's law, {@code sin t2 / sin t1 = c2 / c1}, with the angle of incidence t1 and the
+     * speeds of sound c1 in front of the interface and c2 behind it.
      *
      * @param incidence 0 to pi/2
      * @param speed speed of sound in front of the interface, above 0, m/s
@@ -38,8 +39,9 @@ public final class Refraction {
 
     /**
      * The fraction of the energy that is transmitted: {@code 1 - r^2} with {@code r = (Z2 - Z1) / (Z2 + Z1)} and
-     * {@code Z = rho c / cos t} (Rayleigh's coefficient for two fluids; Kinsler and others, Fundamentals of Acoustics,
-     * chapter 6).
+     * {@code Z = rho c / cos t}, from the density rho, the speed of sound c and the angle t of the wave, Z1 in front of
+     * the interface and Z2 behind it (Rayleigh's coefficient for two fluids; Kinsler and others, Fundamentals of
+     * Acoustics, chapter 6).
      *
      * @param incidence 0 to pi/2
      * @return 0 to 1; 0 for total internal reflection

@@ -5,15 +5,16 @@ import java.util.OptionalDouble;
 /**
  * A tone in a drone's spectrum.
  *
- * @param harmonic its number: 1 for the blade-passing frequency
+ * @param harmonic number of the harmonic: 1 for the blade-passing frequency
  * @param frequency frequency emitted by the drone, Hz, above 0
- * @param share its fraction of the power in its octave band, 0 to 1
+ * @param share fraction of the power in its octave band that is in the tone, 0 to 1
  */
 public record Tone(int harmonic, double frequency, double share) {
 
     /**
-     * The frequency at which it is heard, Hz: {@code f / (1 - v / c)} (Doppler). Empty at and above the speed of sound,
-     * where a shock wave forms.
+     * The frequency at which the tone is heard, Hz: {@code f / (1 - v / c)} (Doppler), with the emitted frequency f,
+     * the speed of approach v and the speed of sound c. Empty at and above the speed of sound, where a shock wave
+     * forms.
      *
      * @param approach speed of the drone towards the listener when it emitted the sound, m/s; negative when it flies
      *     away

@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The wind over a site: its mean speed grows with the logarithm of the height above the ground, {@code ln(1 + z / z0)},
- * as in a neutral surface layer.
+ * The wind over a site: its mean speed grows logarithmically with the height z above the ground, as
+ * {@code ln(1 + z / z0)}, as in a neutral surface layer.
  *
  * @param speed wind speed at a height of 10 m above the ground, 0 to 60 m/s
  * @param from direction from which it blows, clockwise from north, rad
@@ -61,7 +61,7 @@ public record Wind(
 
     /**
      * The mean increase of the wind speed with height, between two heights: the gradient of the linear profile with the
-     * same speeds at both, 1/s.
+     * same speeds at both heights, 1/s.
      *
      * @param height above the ground, m
      * @param other the other height above the ground, m

@@ -2,10 +2,11 @@ package org.dronewatch.sound;
 
 /**
  * The noise that wind causes at a microphone in a windscreen: {@code L = 40 lg V - 23 lg(f D / V) + 15} in each
- * third-octave band, V in m/s, D the screen's diameter (M. Strasberg, JASA 83, 544, 1988, from the measurements of
- * four authors, within about 3 dB for Strouhal numbers f D / V of 0.1 to 5; in SI units in G. P. van den Berg, "The
- * sounds of high winds", Groningen 2006, equation VIII.2). Measured in smooth flow: natural wind, which is gusty,
- * causes more noise at low frequencies. Outside its range the formula is extrapolated.
+ * third-octave band, with the level L in dB re 20 uPa, the wind speed V in m/s, the midband frequency f in Hz and the
+ * screen's diameter D in m (M. Strasberg, JASA 83, 544, 1988, from the measurements of four authors, within about 3 dB
+ * for Strouhal numbers f D / V of 0.1 to 5; in SI units in G. P. van den Berg, "The sounds of high winds", Groningen
+ * 2006, equation VIII.2). Measured in smooth flow: natural wind, which is gusty, causes more noise at low frequencies.
+ * Outside this range of Strouhal numbers the formula is extrapolated.
  */
 public final class WindNoise {
     /** Diameter of a common foam windscreen, m. */

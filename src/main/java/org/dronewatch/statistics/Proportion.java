@@ -24,11 +24,11 @@ public record Proportion(int count, int of) {
 
     /**
      * Wilson's score interval for the probability (Wilson, Journal of the American Statistical Association 22, 1927):
-     * over many campaigns it contains the probability in a fraction of about {@code confidence} of them, even where the
-     * probability is close to 0 or 1.
+     * over many campaigns, about the fraction {@code confidence} of the intervals contain the true probability, even
+     * where it is close to 0 or 1.
      *
      * @param confidence such as 0.95, above 0 and below 1
-     * @return the interval from 0 to 1 if there are no cases
+     * @return the interval; from 0 to 1 if there are no cases
      */
     public Interval wilson(double confidence) {
         if (of == 0) {
@@ -46,11 +46,11 @@ public record Proportion(int count, int of) {
     /**
      * Whether a probability is in the exact interval (Clopper and Pearson, Biometrika 26, 1934): at this probability, a
      * count at least as high as this one, and a count at most as high, each have a probability of at least
-     * {@code (1 - confidence) / 2}. In a fraction of at least {@code confidence} of many campaigns, the interval
-     * contains the true probability, even where Wilson's interval contains it less often, for example if fewer than one
+     * {@code (1 - confidence) / 2}. Over many campaigns, at least the fraction {@code confidence} of these intervals
+     * contain the true probability, even where Wilson's intervals contain it less often, for example if fewer than one
      * case with the outcome is expected.
      *
-     * @param probability 0 to 1
+     * @param probability the probability, 0 to 1
      * @param confidence such as 0.95, above 0 and below 1
      */
     public boolean isPlausible(double probability, double confidence) {
@@ -61,7 +61,10 @@ public record Proportion(int count, int of) {
         return asMany >= least && asFew >= least;
     }
 
-    /** The number of standard deviations within which a normally distributed value lies with a given confidence. */
+    /**
+     * The number of standard deviations from its mean within which a normally distributed value lies with a given
+     * probability.
+     */
     public static double normal(double confidence) {
         return Math.sqrt(2.0) * InverseErfc.value(1.0 - confidence);
     }

@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * The area in which the ground of a terrain is known. Its holes and the land beyond its rim are unknown, and may hide
- * anything. Immutable.
+ * The area in which the ground of a terrain is known. The ground in the holes of the terrain and beyond its rim is
+ * unknown, and may hide anything. Immutable.
  */
 public final class KnownGround {
     private final TerrainGround ground;
@@ -23,7 +23,7 @@ public final class KnownGround {
      * The known ground of a terrain whose rim has been determined before.
      *
      * @param rim as {@link #rim()} returned it for the same terrain
-     * @throws IllegalArgumentException if it is not a list of sides, each with the finite coordinates of both ends
+     * @throws IllegalArgumentException if the rim is not a list of sides, each with the finite coordinates of both ends
      */
     public KnownGround(TerrainGround ground, double[] rim) {
         if (rim.length % 4 != 0 || !Arrays.stream(rim).allMatch(Double::isFinite)) {

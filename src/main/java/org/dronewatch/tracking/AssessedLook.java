@@ -7,7 +7,7 @@ package org.dronewatch.tracking;
  * @param contact number of the contact
  * @param sensor name of the sensor
  * @param time time of reception at the sensor, seconds since the start of the run
- * @param probability 0 to 1; 0 or 1, depending on whether the look detected the contact, for a sensor that does not
- *     estimate a probability, and for a false alarm
+ * @param probability probability of detection, 0 to 1; for a sensor that does not estimate it, and for a false alarm, 1
+ *     if the look detected the contact and 0 if it did not
  */
 public record AssessedLook(int contact, String sensor, double time, double probability) {}

@@ -6,7 +6,8 @@ package org.dronewatch.tracking;
  * @param contact number of the contact
  * @param sensor name of the sensor
  * @param time time of that look, seconds since the start of the run
- * @param bearing the bearing that the sensor last measured, -pi to pi, rad; NaN if it has measured none
+ * @param bearing the bearing that the sensor last measured, clockwise from north, -pi to pi, rad; NaN if it has
+ *     measured none
  */
 public record ConfirmedContact(int contact, String sensor, double time, double bearing) {
     boolean hasBearing() {

@@ -16,7 +16,7 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
 
 /**
  * A perfect association of measurements with contacts, which reads the truth: all looks at one drone are one contact.
- * It takes the place of a tracker, which this library does not have, and is an upper bound on the performance of one.
+ * It takes the place of a tracker, which this library does not have, and performs at least as well as any tracker.
  * False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, are one contact, too, as
  * long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 in the
  * order in which they appear; the numbers carry no information about drones. For use in one run.

@@ -26,10 +26,10 @@ import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.PairReading;
 
 /**
- * The view of one camera: distances in shades of blue, darker for shorter ones, a pale sky, the drone's pixels in
- * orange, its significant pixels framed, and the number of its pixels beside the number required. The frame of a
- * distant drone is enlarged; a large view magnifies it in a corner. For use in your own window, on Swing's event thread
- * like all its components:
+ * The view of one camera: distances in shades of blue, darker for shorter ones, and a pale sky. Each drone's pixels are
+ * orange, its significant pixels are framed, and the number of its pixels stands beside the number required. The frame
+ * of a distant drone is enlarged; a large view magnifies the drone in a corner. For use in your own window, on the
+ * event thread like all components of Swing:
  *
  * <pre>{@code
  * CameraVisual visual = CameraVisual.of("gate", cameraSettings, stage);

@@ -35,7 +35,7 @@ public final class DepthImageFrame extends JFrame {
     private final Canvas canvas = new Canvas();
 
     /**
-     * Opens an empty window.
+     * Creates an empty window, which stays hidden until the first image is shown.
      *
      * @throws HeadlessException where there is no display
      */

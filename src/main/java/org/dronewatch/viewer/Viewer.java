@@ -52,7 +52,7 @@ public final class Viewer implements AutoCloseable {
      *
      * @param scene the scene
      * @param runner the runner that will run it; it also provides the settings and the stage of the view
-     * @param file the file that describes it, which is added to the list of recent scenes; empty when there is none
+     * @param file the scene's file, which is added to the list of recent scenes; empty if there is none
      */
     public record Subject(Scene scene, SceneRunner runner, Optional<Path> file) {}
 
@@ -76,7 +76,7 @@ public final class Viewer implements AutoCloseable {
 
     /**
      * Opens the window, with the layout in which the user last closed it. The calling thread is expected to run the
-     * scene: if the window is closed while that thread is still reading models, it is interrupted.
+     * scene; it is interrupted if the window is closed while it is still reading models.
      *
      * @param runner the runner that will run the scene; it also provides the settings and the stage of the view
      * @param threads number of threads that render
@@ -87,8 +87,8 @@ public final class Viewer implements AutoCloseable {
     }
 
     /**
-     * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in it. The
-     * calling thread is expected to run them one after another: {@link #awaitNext} returns the next.
+     * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in the same
+     * window. The calling thread is expected to run the scenes one after another: {@link #awaitNext} returns the next.
      *
      * @param runners gives the runner of a scene that the user opens
      * @throws IllegalStateException when there is no display
@@ -171,7 +171,7 @@ public final class Viewer implements AutoCloseable {
      * Waits until the user opens another scene or closes the window. The new scene then replaces the previous one,
      * whose threads have ended; the caller must run the new one.
      *
-     * @return the other scene; empty when the window is closed
+     * @return the scene that the user has opened; empty if the window is closed or the calling thread is interrupted
      */
     public Optional<Subject> awaitNext() {
         Subject chosen;
@@ -212,7 +212,7 @@ public final class Viewer implements AutoCloseable {
      * runs scenes.
      *
      * @param name under which users select the other scene
-     * @param other its runner
+     * @param other runner of the other scene
      * @throws RuntimeException if the other scene cannot be run
      */
     public void runBeside(String name, SceneRunner other) {

@@ -2,7 +2,7 @@ package org.dronewatch.world;
 
 /**
  * Illuminance under a clear sky. By day: direct normal illuminance {@code 127.5 klx exp(-0.21 m)} and diffuse
- * horizontal illuminance {@code 0.8 + 15.5 sqrt(sin h) klx} (IESNA Lighting Handbook, 9th ed., ch. 8), with the
+ * horizontal illuminance {@code (0.8 + 15.5 sqrt(sin h)) klx} (IESNA Lighting Handbook, 9th ed., ch. 8), with the
  * elevation h of the sun and the air mass m of Kasten and Young (Applied Optics 28, 1989, 4735). After sunset: 3.4,
  * 0.008 and 0.00065 lx with the sun at 6, 12 and 18 degrees below the horizon, the ends of civil, nautical and
  * astronomical twilight (Seidelmann, ed., Explanatory Supplement to the Astronomical Almanac, 1992, sect. 9.33),
@@ -23,7 +23,7 @@ public final class ClearSky {
     /**
      * Illuminance of level ground from sun and sky together, lx.
      *
-     * @param elevation of the sun, rad; negative below the horizon
+     * @param elevation elevation of the sun above the horizon, rad; negative below it
      */
     public static double illuminance(double elevation) {
         if (elevation > 0.0) {
@@ -37,7 +37,7 @@ public final class ClearSky {
     /**
      * Illuminance of a surface that faces the sun, from the sun alone, lx.
      *
-     * @param elevation of the sun, above 0 rad
+     * @param elevation elevation of the sun above the horizon, above 0, rad
      */
     public static double direct(double elevation) {
         return OUTSIDE * Math.exp(-EXTINCTION * airMass(elevation));
@@ -46,16 +46,16 @@ public final class ClearSky {
     /**
      * Illuminance of level ground from the sky alone, lx.
      *
-     * @param elevation of the sun, above 0 rad
+     * @param elevation elevation of the sun above the horizon, above 0, rad
      */
     public static double diffuse(double elevation) {
         return AT_SUNSET + FROM_ABOVE * Math.sqrt(Math.sin(elevation));
     }
 
     /**
-     * The relative air mass along the path of light from an elevation: 1 at the zenith.
+     * The relative air mass along the path of light that arrives from an elevation: 1 at the zenith.
      *
-     * @param elevation rad; below the horizon, the air mass of the horizon is used
+     * @param elevation elevation above the horizon, rad; below the horizon, the air mass of the horizon is used
      */
     public static double airMass(double elevation) {
         double above = Math.max(0.0, elevation);

@@ -37,8 +37,8 @@ public final class Clearance {
     }
 
     /**
-     * The position itself or, if it lies on surfaces, one just in front of them: on the side from which their corners
-     * appear in counter-clockwise order.
+     * The position itself or, if it lies on surfaces, one just in front of them: on the side from which the corners of
+     * their triangles appear in counter-clockwise order.
      */
     public Position of(Position position) {
         Position clear = position;

@@ -16,7 +16,7 @@ public interface Ground {
      *
      * @param x east, m
      * @param y north, m
-     * @return its z in metres, empty where there is nothing
+     * @return its z in metres; empty where there is no surface
      */
     OptionalDouble height(double x, double y);
 }

@@ -8,9 +8,9 @@ import org.dronewatch.mesh.io.ModelRole;
 /**
  * Heights above the ground of a world, not above the roofs, canopies and floors that stand on it. On a vertical line,
  * the ground is the highest surface of terrain. In a world whose models do not state which of them is terrain, it is
- * the lowest upward-facing surface below the place, so that neither a roof nor the underside of a slab of ground
- * counts. Where there is no such surface, the ground is the lowest surface of any kind below the place, and where
- * nothing is below, it is at z = 0. For use by one thread.
+ * the lowest upward-facing surface below the position, so that neither a roof nor the underside of a slab of ground
+ * counts. Where there is no such surface, the ground is the lowest surface of any kind below the position, and where
+ * there is none, it is at z = 0. For use by one thread.
  */
 public final class GroundLevel {
     /** Surfaces no higher than this above a place, m, are below it: it lies on them. */
@@ -36,7 +36,7 @@ public final class GroundLevel {
         this.query = new EllipsoidQuery(world.tree());
     }
 
-    /** The height of a place above the ground, m; 0 below the ground. */
+    /** The height of a position above the ground, m; 0 below the ground. */
     public double height(Position place) {
         // All surfaces at once: a search along a ray gives one of those that coincide, such as a house's floor and the
         // ground on which it stands.

@@ -13,7 +13,7 @@ import org.dronewatch.setting.Quantity;
 public record GroundPoint(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double x,
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double y) {
-    /** Checks that the coordinates are finite. */
+    /** Checks the limits. */
     public GroundPoint {
         Limits.check(GroundPoint.class, x, y);
     }

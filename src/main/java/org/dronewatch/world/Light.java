@@ -23,8 +23,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param cn2 refractive-index structure constant Cn2 of the air, assumed equal everywhere, 0 to 1e-10 m^(-2/3): 5e-15
  *     by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and more over hot
  *     ground; 0 without turbulence
- * @param skyToGroundRatio ratio of the brightness of the sky at the horizon to that of the ground, 0.05 to 100: about
- *     1.4 for grass and 5 for dark forest under a clear sky, 4 and 15 under clouds, and 1 where both are equally bright
+ * @param skyToGroundRatio ratio of the luminance of the sky at the horizon to that of the ground, 0.05 to 100: about
+ *     1.4 for grass and 5 for dark forest under a clear sky, 4 and 15 under clouds, and 1 where the two are equal
  */
 public record Light(
         @In(value = Quantity.LENGTH, above = 0, to = 1e6) double visibility,
@@ -42,7 +42,10 @@ public record Light(
     /** The rate R of the rain changes it as {@code R^-0.21}. */
     private static final double DROP_DECAY_POWER = 0.21;
 
-    /** A day of good visibility under high cloud: 20 km, 5,000 lx, no sun or turbulence, ground as bright as sky. */
+    /**
+     * A day of good visibility under high cloud: 20 km, 5,000 lx, no sun, no turbulence, equal luminance of ground and
+     * sky.
+     */
     @Defaults
     public static final Light DAY = new Light(20_000.0, 0.05, 5_000.0, Optional.empty(), 0.0, 1.0);
 
@@ -83,7 +86,7 @@ public record Light(
         return SettingsForm.with(this, "cn2", structure);
     }
 
-    /** This light with another ratio of the sky's brightness to that of the ground. */
+    /** This light with another ratio of the luminance of the horizon sky to that of the ground. */
     public Light withSkyToGroundRatio(double ratio) {
         return SettingsForm.with(this, "skyToGroundRatio", ratio);
     }
@@ -91,8 +94,8 @@ public record Light(
     /**
      * This light in rain, with the visibility through air and rain. Each of the drops of Marshall and Palmer (1948),
      * {@code 8000 exp(-4.1 R^-0.21 D)} per cubic metre and millimetre of diameter D, removes light from twice its
-     * cross-section (van de Hulst, "Light Scattering by Small Particles", 1957). The sum over all drops is
-     * {@code 0.365 R^0.63} per kilometre, or {@code 1.58 R^0.63} dB/km, with R in mm/h.
+     * cross-section (van de Hulst, "Light Scattering by Small Particles", 1957). The extinction by all drops together
+     * is {@code 0.365 R^0.63} per kilometre, or {@code 1.58 R^0.63} dB/km, with the rain rate R in mm/h.
      *
      * @param rain rain rate, 0 or more, mm/h
      */
@@ -108,22 +111,22 @@ public record Light(
     }
 
     /**
-     * The fraction of a contrast that remains at a distance: {@code exp(-s d)} with {@code s =
-     * -ln(contrastAtVisibility) / visibility} (Koschmieder 1924; CIE 17-31-020). Valid for a target seen against the
-     * horizon sky under uniform illumination.
+     * The fraction of a contrast that remains at a distance: {@code exp(-s d)} with the distance d and the extinction
+     * coefficient {@code s = -ln(contrastAtVisibility) / visibility} (Koschmieder 1924; CIE 17-31-020). Valid for a
+     * target seen against the horizon sky under uniform illumination.
      *
-     * @param distance m
+     * @param distance distance d, 0 or more, m
      */
     public double contrastLeft(double distance) {
         return Math.pow(contrastAtVisibility, distance / visibility);
     }
 
     /**
-     * The brightness of a target's background as it appears at the target, relative to the sky at the horizon: the
-     * ground is {@code 1 / skyToGroundRatio} times as bright, and haze brightens it on the path to the target,
+     * The luminance of a target's background as it appears at the target, relative to that of the sky at the horizon.
+     * For the ground itself it is {@code 1 / skyToGroundRatio}; with the haze on the path to the target, it becomes
      * {@code 1 - (1 - 1 / skyToGroundRatio) exp(-s G)} with s as for {@link #contrastLeft(double)}.
      *
-     * @param behind G, distance of the ground behind the target, 0 or more, m; infinite for the sky
+     * @param behind distance G from the target to the ground behind it, 0 or more, m; infinite for the sky
      * @return above 0; 1 for the sky
      */
     public double backgroundBrightness(double behind) {
@@ -133,12 +136,12 @@ public record Light(
     /**
      * The fraction of a contrast against any background that remains at a distance R:
      * {@code 1 / (1 + K (exp(s R) - 1))} with s as for {@link #contrastLeft(double)}, where K is the ratio of the
-     * brightness of the sky at the horizon to that of the background: the air scatters light into the line of sight
+     * luminance of the sky at the horizon to that of the background: the air scatters light into the line of sight
      * (Duntley, "The reduction of apparent contrast by the atmosphere", Journal of the Optical Society of America 38,
-     * 179, 1948). For K = 1 it is Koschmieder's law.
+     * 179, 1948). For K = 1 this is Koschmieder's law.
      *
-     * @param distance R, 0 or more, m
-     * @param brightness 1/K, of the background, relative to the sky at the horizon, above 0
+     * @param distance distance R, 0 or more, m
+     * @param brightness 1/K, luminance of the background relative to that of the sky at the horizon, above 0
      */
     public double contrastLeft(double distance, double brightness) {
         double left = contrastLeft(distance);

@@ -80,8 +80,8 @@ public record NoiseSource(
     /**
      * A piece of a source, short enough to be a point source for a listener.
      *
-     * @param position of its middle, m
-     * @param fraction of the source's power, 0 to 1
+     * @param position position of its middle, m
+     * @param fraction its fraction of the source's power, 0 to 1
      */
     public record Piece(Position position, double fraction) {}
 

@@ -32,10 +32,10 @@ public final class Places {
     private Ground ground;
 
     /**
-     * Places of a site.
+     * Converts places of a site.
      *
      * @param world its settings
-     * @param ground gives its highest surfaces; called when they are first needed
+     * @param ground supplies the heights of its highest surfaces; called when they are first needed
      */
     public Places(WorldSettings world, Supplier<Ground> ground) {
         this.origin = world.origin();
@@ -132,9 +132,9 @@ public final class Places {
     /**
      * The position of a place at a height above the datum of the origin's height, or above 0 if that is not known.
      *
-     * @param latitude rad
-     * @param longitude rad
-     * @param height m
+     * @param latitude latitude (WGS 84), rad
+     * @param longitude longitude (WGS 84), rad
+     * @param height height, m
      * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
      */
     public Position atHeight(double latitude, double longitude, double height) {
@@ -143,10 +143,10 @@ public final class Places {
 
     /**
      * The height of the highest surface on the vertical at a place, above the datum of the origin's height, or above 0
-     * if that is not known, m; empty in a hole and beyond the rim.
+     * if that is not known, m; empty where the terrain has a hole, and outside the site.
      *
-     * @param latitude rad
-     * @param longitude rad
+     * @param latitude latitude (WGS 84), rad
+     * @param longitude longitude (WGS 84), rad
      * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
      */
     public OptionalDouble surface(double latitude, double longitude) {

@@ -7,9 +7,9 @@ import java.util.function.Supplier;
 import org.dronewatch.bvh.TracingIndex;
 
 /**
- * Results that runs compute from their sites without drones, such as what a camera sees of the site. They are kept so
- * that thousands of runs on one site share them. When they take more than their share of memory, those least recently
- * used are dropped, and computed again when they are next needed. Thread-safe.
+ * A cache of results that runs compute from their sites without drones, such as what a camera sees of the site, so that
+ * thousands of runs on one site share them. When the results take more memory than intended, those least recently used
+ * are dropped, and computed again when they are next needed. Thread-safe.
  */
 public final class SiteMemory {
     private final long most;
@@ -28,7 +28,7 @@ public final class SiteMemory {
     /**
      * An empty cache.
      *
-     * @param most the most that may be kept when something new is added, bytes
+     * @param most the maximum memory of the results that are kept when a new one is added, bytes
      */
     public SiteMemory(long most) {
         this.most = most;
@@ -54,7 +54,7 @@ public final class SiteMemory {
         }
     }
 
-    /** The number of entries made so far, including those dropped. */
+    /** The number of results computed so far, including those dropped. */
     public synchronized long made() {
         return made;
     }

@@ -34,7 +34,7 @@ public record SiteModel(String file, ModelRole role) {
         return new SiteModel(of(settings).file(), ModelRole.VEGETATION);
     }
 
-    /** A model of the settings. */
+    /** The model that settings describe. */
     public static SiteModel of(ModelSettings settings) {
         return new SiteModel(settings.shownFile(), settings.role());
     }

@@ -10,7 +10,7 @@ import org.dronewatch.mesh.io.ModelRole;
 /**
  * All surfaces of a world on the vertical through a point, the highest first.
  *
- * @param surfaces empty where there are none
+ * @param surfaces the surfaces; empty where there are none
  */
 public record SurfaceColumn(List<Surface> surfaces) {
     /** Nearer surfaces are one, m. */

@@ -16,9 +16,10 @@ import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.sound.surface.SurfaceMaterials;
 
 /**
- * The acoustic surfaces of the materials in the model files. A material that is not listed here but whose name is that
- * of a surface in {@code own} or in the table uses that surface; all others use the {@code defaultSurface}. The part of
- * a name after a colon is ignored: {@code brick_rough:assumed-height} uses the surface {@code brick_rough}.
+ * The acoustic surfaces of the materials in the model files. A material that is not listed in {@code materials} but
+ * whose name is that of a surface in {@code own} or in the library's table uses that surface; all others use the
+ * {@code defaultSurface}. The part of a name after a colon is ignored: {@code brick_rough:assumed-height} uses the
+ * surface {@code brick_rough}.
  *
  * @param materials the surfaces of the materials in the model files, by name of the material; each is the name of a
  *     surface from {@code own} or from the table

@@ -91,8 +91,8 @@ public final class Visibility {
     /**
      * Whether a segment is free of obstacles.
      *
-     * @param fromX x coordinate of the point, m
-     * @param alongX x component of the vector, m
+     * @param fromX x coordinate of the start of the segment, m
+     * @param alongX x component of the vector along the segment, m
      * @param end the segment ends at this multiple of the vector, 0 or more; infinite for a ray without end
      */
     public boolean isFreeAlong(
@@ -117,8 +117,8 @@ public final class Visibility {
     /**
      * Looks for the first surface along a vector from a point.
      *
-     * @param fromX x coordinate of the point, m
-     * @param alongX x component of the vector, m
+     * @param fromX x coordinate of the start of the segment, m
+     * @param alongX x component of the vector along the segment, m
      * @param end the segment ends at this multiple of the vector, 0 or more; infinite for a ray without end
      * @return whether there is one; {@link #triangle()} is its number
      */
@@ -136,8 +136,8 @@ public final class Visibility {
     }
 
     /**
-     * Finds the next surface behind the last one found; two that are met within {@link #MARGIN} of each other, or
-     * within 1e-10 m between clear points, count as one.
+     * Finds the next surface behind the last one found. Two surfaces that the segment meets within {@link #MARGIN} of
+     * each other count as one; for {@linkplain #ofClearPoints clear points}, within 1e-10 m.
      *
      * @return whether there is one
      */

@@ -6,6 +6,6 @@ package org.dronewatch.world;
  * @param rain rain rate, mm/h
  * @param wind wind speed at a height of 10 m, m/s
  * @param visibility visibility, m
- * @param illuminance of the ground, lx
+ * @param illuminance illuminance of the ground, lx
  */
 public record Weather(double rain, double wind, double visibility, double illuminance) {}

@@ -73,7 +73,7 @@ public final class World {
     /**
      * A world from a finished index. Worlds that share an index share its BVH, too.
      *
-     * @param index of the mesh, in the world's frame
+     * @param index index of the mesh, in the world's frame
      * @param backgroundNoise the sound of the site without drones and noise sources
      * @param surfaces acoustic surfaces of the mesh's materials
      * @param atmosphere the air
@@ -236,7 +236,7 @@ public final class World {
      * An object that depends only on the world's mesh and a key: made once where runs share a {@link SiteMemory},
      * otherwise each time.
      *
-     * @param key everything but the mesh on which it depends, compared with {@code equals}
+     * @param key everything else on which the object depends, compared with {@code equals}
      * @param make makes it; must give the same result at any time and on any thread
      */
     public <T extends SiteMemory.Kept> T remembered(Object key, Class<T> type, Supplier<T> make) {
@@ -256,12 +256,15 @@ public final class World {
         return known.isEmpty();
     }
 
-    /** A world of a mesh with negligible noise (0 dB). */
+    /** A world of a mesh with negligible background noise (0 dB re 20 uPa, A-weighted). */
     public static World of(TriangleMesh mesh) {
         return new World(KDTree.of(mesh), BackgroundNoise.of(0.0), SurfaceSettings.DEFAULT, Atmosphere.STANDARD);
     }
 
-    /** Merges meshes into one, for a single tree; source numbers continue from mesh to mesh. */
+    /**
+     * Merges meshes into one, for a single tree. The source number of each triangle becomes its index in the merged
+     * mesh; a single mesh is returned unchanged.
+     */
     public static TriangleMesh merge(List<TriangleMesh> meshes) {
         if (meshes.size() == 1) {
             return meshes.get(0);
@@ -341,8 +344,9 @@ public final class World {
     }
 
     /**
-     * Whether a point appears to be inside a wall or below the ground: most surfaces that rays from it hit face away
-     * from it. Valid for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
+     * Whether a point appears to be inside a wall or below the ground: of the rays from it that hit a surface, most,
+     * and at least four, hit one that faces away from it. Valid for meshes whose triangles are wound counter-clockwise
+     * seen from outside, as is usual.
      */
     public boolean isInsideWall(Position position) {
         return new Surroundings(this).showTheirBacks(position);
@@ -369,7 +373,7 @@ public final class World {
     /**
      * A tracer of images, for use by one thread.
      *
-     * @param tree the world's, or a drone's
+     * @param tree the tree of the world, or of a drone
      */
     public TileTracer newTileTracer(KDTree tree) {
         return index.traversal() == RayTraversal.FASTEST
@@ -461,7 +465,7 @@ public final class World {
         return atmosphere;
     }
 
-    /** Visibility and daylight. */
+    /** Visibility, daylight and turbulence. */
     public Light light() {
         return light;
     }

@@ -28,13 +28,13 @@ import org.dronewatch.terrain.TerrainSettings;
  * @param terrain the ground of a real place, from elevation files; omit it if there is none. It needs the origin
  * @param buildings the buildings of a real place, from a map; omit it if there are none. They need the origin
  * @param backgroundNoise sound pressure level of the background, A-weighted, -20 to 140 dB re 20 uPa
- * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, dB
+ * @param noiseShape spectrum of the background: the levels of the octave bands relative to one another, without
+ *     weighting, dB
  * @param noiseSources sources of noise on the site in addition to the background, by name
  * @param surfaces acoustic surfaces of the models' materials
  * @param atmosphere the air
- * @param rain rain rate, 0 to 500 mm/h; it affects radars and cameras with a target task, not
- *     sound
- * @param light visibility and daylight
+ * @param rain rain rate, 0 to 500 mm/h; it affects radars and cameras with a target task, but not sound
+ * @param light visibility, daylight and turbulence
  * @param origin geographic position of the scene's origin (WGS 84); omit it if unknown; if given, a run writes maps and
  *     records the origin in {@code result.json}
  * @param tracing method of tracing rays; it affects speed, not results

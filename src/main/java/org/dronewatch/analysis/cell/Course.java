@@ -12,16 +12,18 @@ import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * How a drone flies through a cell: level and nose first, at its cruise speed or another speed; or it hovers, or glides
+ * How a drone flies through a cell: level and nose first, at its cruise speed or another speed; hovering; or gliding
  * down.
  *
  * @param kind what determines the heading
- * @param angle added to the heading, or for {@link Kind#COMPASS} and {@link Kind#HOVER} the heading itself, clockwise,
- *     rad
- * @param reference the point from or to which the heading is measured, m; it has no effect on a fixed heading
- * @param sensor the sensor whose line of sight is crossed; empty for other kinds
- * @param glide how it glides; empty under power
- * @param speed its speed, m/s; empty for the cruise speed, and while it hovers or glides
+ * @param angle for {@link Kind#COMPASS} and {@link Kind#HOVER}, the heading, clockwise from north, rad; otherwise the
+ *     clockwise angle from a bearing to the heading, rad: for {@link Kind#CROSSING}, the bearing of the drone from the
+ *     reference point; for {@link Kind#INBOUND}, that of the reference point from the drone
+ * @param reference the sensor from which the bearing of the drone is measured, or the point to which an inbound drone
+ *     flies, m; without effect on a fixed heading
+ * @param sensor name of the sensor whose line of sight is crossed; empty for other kinds
+ * @param glide how the drone glides; empty under power
+ * @param speed speed of the drone, m/s; empty for its cruise speed, and if it hovers or glides
  */
 public record Course(
         Kind kind,
@@ -52,7 +54,7 @@ public record Course(
      * directions across the line of sight of each sensor that may miss a crossing drone, and hovering, if the drone can
      * hover.
      *
-     * @param sensors by name
+     * @param sensors the sensors, by name
      */
     public static List<Course> all(Map<String, SensorSettings<?>> sensors, Drone drone) {
         List<Course> courses = new ArrayList<>();
@@ -79,8 +81,8 @@ public record Course(
     /**
      * The courses of {@link #all} without hovering, at a given speed.
      *
-     * @param sensors by name
-     * @param speed above 0, m/s
+     * @param sensors the sensors, by name
+     * @param speed speed of the drone, above 0, m/s
      */
     public static List<Course> at(double speed, Map<String, SensorSettings<?>> sensors, Drone drone) {
         return moving(sensors, drone, Optional.empty(), OptionalDouble.of(speed));
@@ -90,7 +92,7 @@ public record Course(
      * The courses of {@link #all} without hovering, with the motors off and long since cold: the drone descends at its
      * best glide ratio.
      *
-     * @param sensors by name
+     * @param sensors the sensors, by name
      * @throws IllegalArgumentException if the drone cannot glide
      */
     public static List<Course> gliding(Map<String, SensorSettings<?>> sensors, Drone drone) {
@@ -106,7 +108,7 @@ public record Course(
                 .toList();
     }
 
-    /** This course with another point from or to which its heading is measured, m. */
+    /** This course with another reference point, m. */
     public Course about(Position other) {
         return new Course(kind, angle, other, sensor, glide, speed);
     }
@@ -117,8 +119,8 @@ public record Course(
     }
 
     /**
-     * The number of the first course that has the same fixed heading as the course with the given number; that number
-     * itself if none before it has.
+     * The number of the first course that has the same fixed heading as the course with the given number; the given
+     * number itself if no earlier course has.
      */
     public static int firstOnSameHeading(List<Course> courses, int number) {
         Course course = courses.get(number);
@@ -154,8 +156,8 @@ public record Course(
     /**
      * The state of a drone on this course.
      *
-     * @param at its position, m
-     * @param cruise its cruise speed, m/s
+     * @param at position of the drone, m
+     * @param cruise cruise speed of the drone, m/s
      */
     public FlightState at(Position at, double cruise) {
         double heading = heading(at);

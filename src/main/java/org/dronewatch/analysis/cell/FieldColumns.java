@@ -33,7 +33,9 @@ public final class FieldColumns {
         /** The north coordinate of a column, m. */
         double y(int column, int row);
 
-        /** The height of a cell of a column above the ground, m, with levels counted from the lowest; NaN for none. */
+        /**
+         * The height above the ground of a cell in a column, m; levels are counted from the lowest; NaN for no cell.
+         */
         double above(int level, int column, int row);
 
         /** Whether a column is outside the area that counts. */
@@ -206,7 +208,7 @@ public final class FieldColumns {
         return kinds[index(height, column, row)] == OPEN;
     }
 
-    /** The centre of a cell, m; over ground only. */
+    /** The centre of a cell, m; only for columns with ground below them. */
     public Position middle(int height, int column, int row) {
         return new Position(
                 plan.x(column, row), plan.y(column, row), ground(column, row) + plan.above(height, column, row));

@@ -8,14 +8,15 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * Square columns of air over a site, with a cell at each of several heights: values hold for the centre of a column.
+ * Columns of air over a site, square in plan view, with a cell at each of several heights. The values of a cell hold
+ * for the point at its height on the axis of its column.
  *
  * @param east east coordinate of the centre, -100 to 100 km, m
  * @param north north coordinate of the centre, -100 to 100 km, m
  * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
  * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
- * @param heights heights above the ground, in ascending order, each at least 1 mm above the ground and the height
- *     before it, and at most 10 km, m; 1 to 50 of them
+ * @param heights heights above the ground, in ascending order, each at least 1 mm above the one before it (the first
+ *     above the ground) and at most 10 km, m; 1 to 50 heights
  * @param area only cells whose centre lies in this area in plan view count; empty if all do
  */
 public record FieldGrid(
@@ -108,7 +109,7 @@ public record FieldGrid(
     /**
      * Checks that a grid may have the given heights above the ground, m, and returns them.
      *
-     * @throws IllegalArgumentException if it may not have them
+     * @throws IllegalArgumentException if a height is out of range, or the heights are not in ascending order
      */
     public static List<Double> checkedHeights(List<Double> heights) {
         if (heights.isEmpty() || heights.size() > MOST_HEIGHTS) {

@@ -23,8 +23,8 @@ public record FieldTerms(
         /** Sensors on positioners have turned to the drone, and zoomed in. */
         CUED,
         /**
-         * Sensors on positioners search, or are at rest: their probability of detection is the mean over one period of
-         * the search, in which the look, or the time that they have, may begin at any moment.
+         * Sensors on positioners search, or are at rest: their probability of detection is the mean over all moments of
+         * one search period at which the look, or the time within which they have to detect the drone, may begin.
          */
         SEARCH
     }
@@ -53,7 +53,10 @@ public record FieldTerms(
         return new FieldTerms(other, within);
     }
 
-    /** The number of whole looks that a sensor takes within the time, 0 or more; 1 if the terms state no time. */
+    /**
+     * The number of whole looks that a sensor takes within the time of these terms, 0 or more; 1 if the terms state no
+     * time.
+     */
     public long looks(SensorSettings<?> sensor) {
         return within.map(seconds -> (long) Math.floor(seconds * sensor.rate() + ROUNDING))
                 .orElse(1L);
@@ -62,12 +65,12 @@ public record FieldTerms(
     /**
      * The probability that a sensor detects a drone that stays where it is, if all its looks have the same probability
      * p of detecting it: in one look, p; in the n whole looks within a time, {@code 1 - (1 - p)^n}. Where chance
-     * decides once per encounter, it is that of an observer drawn at random who searches for as long as these looks
-     * take, that is, for the time t of n intervals between looks: {@code p (1 - exp(-p t / 3.4 s))}; see
+     * decides once per encounter, the probability is that of an observer drawn at random who searches for as long as
+     * the looks take, that is, for the time t of n intervals between looks: {@code p (1 - exp(-p t / 3.4 s))}; see
      * {@link Chance#hazard}. For a sensor that searches, whose looks differ, see {@link LookWindow}.
      *
      * @param look probability that a single look detects the drone, 0 to 1
-     * @return 0 and 1 only where they are exact
+     * @return the probability, 0 to 1; 0 or 1 only where this is exact
      */
     public double probability(double look, SensorSettings<?> sensor) {
         if (within.isEmpty() || look <= 0.0) {
@@ -97,7 +100,7 @@ public record FieldTerms(
      * How finely a field resolves the probability that a look of a sensor detects the drone, if all that matters is
      * whether the probability on these terms reaches a step.
      *
-     * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
+     * @param step the step to be reached, above 0 and at most {@link ProbabilityStep#CERTAIN}
      */
     public ProbabilityResolution sideOf(int step, SensorSettings<?> sensor) {
         double least = ProbabilityStep.least(step);

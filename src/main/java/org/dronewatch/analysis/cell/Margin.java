@@ -2,8 +2,8 @@ package org.dronewatch.analysis.cell;
 
 /**
  * The margin by which the signal of a sensor exceeds its threshold in a cell, in the form in which a field keeps it.
- * Most cells are decided by bounds on the signal, which are cheaper; in these cells, only a bound on the margin is
- * known. An estimate counts as a value.
+ * Most cells are decided by bounds on the signal, which cost less than the signal itself; in these cells, only a bound
+ * on the margin is known. An estimated margin counts as a value.
  *
  * @param kind what is known
  * @param db the value or the bound, from -51.1 to 51.1 dB: values in steps of 0.1 dB, bounds in steps of 1 dB; 0 for

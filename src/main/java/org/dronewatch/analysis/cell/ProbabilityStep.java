@@ -1,10 +1,10 @@
 package org.dronewatch.analysis.cell;
 
 /**
- * The scale on which a field keeps probabilities, in a byte: 0 and 1 exactly, multiples of 1/250 between them, and
- * five values below 1/250 that are a factor of 4 apart, down to 1/256,000. For results, the latter count as 1/250. They
- * matter to sensors that look often: ten looks a second with a probability of 1/250 each detect nine of ten drones in
- * a minute, with 1/4,000 only one in seven.
+ * The scale on which a field keeps probabilities, in a byte: 0 and 1 exactly, multiples of 1/250 between them, and five
+ * values below 1/250 that are a factor of 4 apart, down to 1/256,000. In results, these five values count as 1/250.
+ * They matter to sensors that look often: in a minute, ten looks a second detect nine of ten drones if each look has a
+ * probability of 1/250, but only one in seven if it has 1/4,000.
  */
 public final class ProbabilityStep {
     /** The step that represents only 1; 0 represents only 0. */
@@ -19,7 +19,7 @@ public final class ProbabilityStep {
 
     private ProbabilityStep() {}
 
-    /** The step to which a probability is rounded; of those below 1/250, by its logarithm. */
+    /** The step to which a probability is rounded; below 1/250, the step whose logarithm is nearest. */
     public static int of(double probability) {
         if (probability <= 0.0 || probability >= 1.0) {
             return probability <= 0.0 ? 0 : CERTAIN;
@@ -55,7 +55,9 @@ public final class ProbabilityStep {
         return step > SMALL ? (step - SMALL - 0.5) / EVEN : 0.5 / EVEN / Math.pow(FACTOR, SMALL + 1.0 - step);
     }
 
-    /** The first step at which a sensor covers a cell, given the probability that this requires, 1/250 or more. */
+    /**
+     * The lowest step with which a sensor covers a cell, given the probability that covering requires, 1/250 or more.
+     */
     public static int toCover(double covered) {
         return SMALL + (int) Math.ceil(covered * EVEN - 1e-9);
     }

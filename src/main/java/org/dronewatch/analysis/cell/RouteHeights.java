@@ -22,7 +22,7 @@ public final class RouteHeights {
 
     /**
      * The heights up to a drone's ceiling: those of 2, 5, 10, 20, 30, 45, 60, 90, 120, 150, 250, 500, 1000 m and so on
-     * that are at least 10 % below the ceiling, and the ceiling itself, or 10 km if it is higher.
+     * that the ceiling exceeds by at least 10 %, and the ceiling itself; a ceiling above 10 km counts as 10 km.
      *
      * @param ceiling the greatest height above the ground at which the drone can fly, 1 mm or more, m
      * @return 1 to 17 heights, in ascending order, m

@@ -5,9 +5,9 @@ import java.util.function.IntConsumer;
 import org.dronewatch.analysis.cell.FieldGrid;
 
 /**
- * The lowest height above the ground at which some sensor covers each column: the lowest covered height of the grid,
- * refined by bisection between it and the next lower one. Below that interval, and between two covered heights, the
- * column is not searched. Immutable.
+ * The lowest height above the ground at which any sensor covers each column: the lowest covered height of the grid,
+ * refined by bisection between that height and the next lower one or the ground. Below that interval, and between two
+ * covered heights, the column is not searched. Immutable.
  */
 public final class DetectableHeights {
     /** The accuracy of the heights, m. */
@@ -50,7 +50,7 @@ public final class DetectableHeights {
         return heights;
     }
 
-    /** How many times all columns are assessed again. */
+    /** The number of steps of the bisection: in each, the columns are assessed once more. */
     public static int rounds(FieldGrid grid) {
         double widest = 0.0;
         double below = 0.0;

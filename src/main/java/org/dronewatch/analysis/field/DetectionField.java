@@ -183,8 +183,8 @@ public final class DetectionField {
     }
 
     /**
-     * The errors of the levels that are interpolated between cells, by sensor name: all other sensors are assessed in
-     * each cell.
+     * The errors of the levels that are interpolated between cells, by name of the sensor. Sensors that are not among
+     * the keys are assessed in each cell.
      */
     public Map<String, InterpolationError> interpolated() {
         return all.interpolated();
@@ -231,11 +231,11 @@ public final class DetectionField {
      * The probability that a sensor detects the drone on the terms of the field, as a {@link ProbabilityStep step}; 0
      * where the drone cannot be, and where the line of sight leaves the known ground.
      *
-     * @param sensor its number in {@link #sensors()}
-     * @param height its number in the grid
+     * @param sensor number of the sensor in {@link #sensors()}
+     * @param height number of the height in the grid
      * @param column the column, counted from the west
      * @param row the row, counted from the north
-     * @param course its number in {@link #courses()}
+     * @param course number of the course in {@link #courses()}
      */
     public int step(int sensor, int height, int column, int row, int course) {
         return all.step(sensor, height, column, row, course);

@@ -23,10 +23,10 @@ public final class FieldAssessment {
      * The field of a scene.
      *
      * @param settings settings of one run
-     * @param stage its world and drones
+     * @param stage world and drones of that run
      * @param drone name of the drone that is put into the cells
-     * @param courses courses on which it flies, at least one
-     * @param terms terms on which it counts as detected
+     * @param courses courses on which the drone flies, at least one
+     * @param terms terms on which the drone counts as detected
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      * @throws IllegalArgumentException when there is no such drone
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept

@@ -16,9 +16,9 @@ import org.dronewatch.setting.Quantity;
  * covers it, how many do, and the dominant cause. Immutable and thread-safe.
  *
  * <p>The course that counts is the same for all sensors: the one with the lowest, or the highest, joint probability
- * {@code 1 - (1 - p1)(1 - p2)...}; in a tie, the one whose dominant cause is nearest to a detection in the order of
- * {@link Cause}; then the first in the order of the field. A sensor covers a cell where its probability there is at
- * least a given value. The dominant cause is that of the sensor that decides
+ * {@code 1 - (1 - p1)(1 - p2)...} of the sensors' probabilities p1, p2, ...; in a tie, the one whose dominant cause is
+ * nearest to a detection in the order of {@link Cause}; then the first in the order of the field. A sensor covers a
+ * cell where its probability there is at least a given value. The dominant cause is that of the sensor that decides
  * ({@link #deciding}).
  */
 public final class FieldCoverage {
@@ -34,12 +34,15 @@ public final class FieldCoverage {
     public static final double DEFAULT_COVERED = 0.5;
 
     /**
-     * The least probability that can be requested. Probabilities are kept in steps of 1/250; those below one and a half
-     * steps are indistinguishable from 0.
+     * The least probability that can be requested: two steps of 1/250. All probabilities above 0 and below one and a
+     * half steps are given as 1/250, so they cannot be told apart.
      */
     public static final double LEAST_COVERED = 0.008;
 
-    /** The greatest probability below 1 that can be requested: those above it are indistinguishable from 1. */
+    /**
+     * The greatest probability below 1 that can be requested: probabilities between this one and 1 are
+     * indistinguishable from this one.
+     */
     public static final double MOST_COVERED = 0.996;
 
     private static final Cause[] CAUSES = Cause.values();
@@ -82,9 +85,9 @@ public final class FieldCoverage {
     }
 
     /**
-     * A probability that may be required of a sensor for it to cover a cell. It is rounded up to a step of 1/250, while
-     * the probability in a cell is rounded to the nearest step, so a cell may count as covered although its probability
-     * is too low by up to 1/500.
+     * Checks a probability that a sensor must reach to cover a cell, and returns it. The required probability is
+     * rounded up to a step of 1/250, while the probability in a cell is rounded to the nearest step, so a cell may
+     * count as covered although its probability is too low by up to 1/500.
      *
      * @throws IllegalArgumentException unless it is {@link #LEAST_COVERED} to {@link #MOST_COVERED}, or 1
      */
@@ -245,7 +248,7 @@ public final class FieldCoverage {
      * probability; in a tie, the one whose cause is nearest to a detection in the order of {@link Cause}; then the one
      * with the greatest margin in dB; then the first.
      *
-     * @return its number; empty if there is none, or if the margins that the field keeps do not decide
+     * @return the number of the sensor; empty if there is none, or if the margins that the field keeps do not decide
      */
     public OptionalInt deciding(int height, int column, int row) {
         int sensors = field.sensors().size();

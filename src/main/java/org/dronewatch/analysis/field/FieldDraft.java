@@ -22,9 +22,9 @@ import org.dronewatch.sensor.SensorSettings;
  * The field of a scene at one height while some of its sensors are moved or turned: only these are assessed again, in
  * ever smaller blocks of cells; what the others detect is taken from the previous field. In the end, all cells are as
  * {@link FieldAssessment} would give them, with three exceptions: an inbound drone flies to the target of the previous
- * field; for signals of moved sensors that could be interpolated, only what arrives along deterministic paths counts,
- * which are found without random rays ({@link #reduced}); and such signals of the other sensors stay as they were on
- * the courses across the line of sight of a moved one.
+ * field; where signals of moved sensors could be interpolated, only those along deterministic paths, which are found
+ * without random rays, count ({@link #reduced}); and where signals of the other sensors could be interpolated, they
+ * keep their previous values on the courses across the line of sight of a moved sensor.
  *
  * <p>For use by one thread, which may have {@link Workers}; the result does not depend on their number.
  */
@@ -48,7 +48,7 @@ public final class FieldDraft {
      * A draft in which nothing has been assessed yet.
      *
      * @param before the request for the previous field
-     * @param field the previous field, which has this height
+     * @param field the previous field, which includes the height
      * @param height number of the height
      * @param moved the same scene with sensors of the same names, some of which are moved or turned
      */

@@ -19,7 +19,7 @@ public enum FieldHeading {
     /**
      * The courses of a drone that have to be assessed.
      *
-     * @param drone its name
+     * @param drone name of the drone
      * @throws IllegalArgumentException when there is no such drone
      */
     public List<Course> courses(SceneSettings settings, Stage stage, String drone, FieldGrid grid) {

@@ -18,11 +18,11 @@ import org.dronewatch.scenario.SceneSettings;
  * A request for a {@link FieldSurvey}.
  *
  * @param settings settings of one run
- * @param stage its world and drones
+ * @param stage world and drones of that run
  * @param drone name of the drone that is put into the cells
  * @param grid the cells
  * @param courses courses on which the drone flies, at least one
- * @param choice which of them counts
+ * @param choice which of the courses counts
  * @param terms terms on which the drone counts as detected
  * @param covered the probability with which a sensor must detect the drone to cover a cell, 0.008 to 0.996, or 1
  */
@@ -55,8 +55,8 @@ public record FieldRequest(
     }
 
     /**
-     * The sensors that another request lacks because they are switched off there; empty if it differs from this one in
-     * anything else.
+     * The sensors that another request lacks because they are switched off there; empty if the other request differs
+     * from this one in anything else.
      */
     public Optional<Set<String>> switchedOffIn(FieldRequest other) {
         Set<String> off = new LinkedHashSet<>(settings.enabledSensors().keySet());
@@ -73,9 +73,9 @@ public record FieldRequest(
     }
 
     /**
-     * The number of cells that the sensors look at for the field alone, added up over all sensors. The cells of a
-     * sensor whose signal may be interpolated count twice, because tracing positions for the interpolation takes most
-     * of the time.
+     * The number of cells that the sensors look at for the field, not for detectable heights and inbound flights, added
+     * up over all sensors. The cells of a sensor whose signal may be interpolated count twice, because tracing
+     * positions for the interpolation takes most of the time.
      */
     public long looksOfField() {
         long sensors = settings.enabledSensors().size() + surveys();
@@ -96,7 +96,7 @@ public record FieldRequest(
                 .count();
     }
 
-    /** The approximate number of cells that the sensors look at, added up over all sensors. */
+    /** The approximate number of cells that the sensors look at for the whole survey, added up over all sensors. */
     public long looks() {
         InboundFlights flights = InboundFlights.of(settings, stage, drone, grid, terms);
         long cells = (long) grid.cells() * DetectableHeights.rounds(grid)

@@ -14,11 +14,11 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
 /**
- * What the sensors of a field detect at 4,096 places between the centres of its cells. The places are spread evenly
- * between the centres of the outermost columns, and lie between the lowest and the highest height: half of them in the
- * lowest quarter of the levels, near the ground, where a drone finds something to hide behind. They are the points of
- * the additive sequence R3 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), the same for
- * every field of the same grid. Immutable.
+ * What the sensors of a field detect at 4,096 positions between the centres of its cells. In plan view, the positions
+ * are spread evenly between the centres of the outermost columns; vertically, they lie between the lowest and the
+ * highest height, half of them in the lowest quarter of the levels, near the ground, where a drone finds something to
+ * hide behind. They are the points of the additive sequence R3 (M. Roberts, "The unreasonable effectiveness of
+ * quasirandom sequences", 2018), the same for every field of the same grid. Immutable.
  */
 public final class FieldSample {
     private static final int COUNT = 4096;
@@ -40,11 +40,12 @@ public final class FieldSample {
     }
 
     /**
-     * Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread: each only where
-     * those before it do not detect the drone. Sensors that search come last, since each of their assessments
+     * Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread: each sensor only
+     * where those before it do not detect the drone. Sensors that search come last, since each of their assessments
      * covers many pointings.
      *
-     * @param which the places at which they are assessed, if the drone can be there, m
+     * @param which selects the positions, m, at which the sensors are assessed; positions at which the drone cannot be
+     *     are left out in any case
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static FieldSample of(DetectionField field, Predicate<Position> which) {
@@ -76,9 +77,10 @@ public final class FieldSample {
     }
 
     /**
-     * This sample combined with another: the drone counts as undetected at a place if it does so in either of them.
+     * This sample combined with another: the drone counts as undetected at a position if it is undetected there in
+     * either sample.
      *
-     * @param other of a field of the same site and grid, such as for the same drone with its motors off
+     * @param other sample of a field of the same site and grid, such as for the same drone with its motors off
      * @throws IllegalArgumentException if the grids differ
      */
     public FieldSample either(FieldSample other) {
@@ -165,13 +167,13 @@ public final class FieldSample {
         }
     }
 
-    /** The number of places at which a drone can be: with ground below them, and nothing solid around them. */
+    /** The number of positions at which a drone can be: with ground below them, and nothing solid around them. */
     public int openCount() {
         return places.openCount();
     }
 
     /**
-     * The number of places at which the sensors were assessed, and none of them detects the drone with a probability
+     * The number of positions at which the sensors were assessed, and none of them detects the drone with a probability
      * above 0, on any course.
      */
     public int undetectedCount() {

@@ -67,7 +67,7 @@ public final class InboundTarget {
     /**
      * The mean position of the enabled sensors, m.
      *
-     * @throws InputException when there is none
+     * @throws InputException when there is no enabled sensor
      */
     public static Position sensors(SceneSettings settings) {
         if (settings.enabledSensors().isEmpty()) {

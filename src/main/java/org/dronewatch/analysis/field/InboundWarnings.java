@@ -27,17 +27,17 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.sensor.SoundTracing;
 
 /**
- * The warning that the sensors give of a drone that flies straight in, from every bearing and at several heights above
- * the ground, to the centre of the protected zone or, without one, to the mean position of the sensors, at its cruise
- * speed. The drone is detected where a sensor covers it; it is assessed once per cell of its path, but not inside
+ * The warnings that the sensors give of a drone that flies straight in at its cruise speed, from every bearing and at
+ * several heights above the ground, to the centre of the protected zone or, without one, to the mean position of the
+ * sensors. The drone is detected where a sensor covers it; it is assessed once per cell of its path, but not inside
  * something solid. If the terms give a sensor some time in which to detect it, the drone counts as detected that long
  * after the first point at which a sensor covers it. Immutable.
  *
  * @param target point towards which the drone flies, m
  * @param reach horizontal distance from that point at which the flight begins, m
- * @param longest the longest warning that can be found, that of a flight detected where it begins, s; 0 if none can be
- *     found
- * @param response the time that is required after a detection, s; 0 if none is
+ * @param longest the longest warning time that can be found, that of a flight detected where it begins, s; 0 if none
+ *     can be found
+ * @param response the time that is required between detection and arrival, s; 0 if none is required
  * @param isZone whether there is a protected zone
  * @param all the warnings by height, then bearing
  */
@@ -69,8 +69,8 @@ public record InboundWarnings(
      * flight would begin in a protected zone, all flights begin 250 m beyond the farthest corner of all zones.
      *
      * @param drone name of the drone
-     * @param terms terms on which it counts as detected
-     * @param covered the probability with which a sensor has to detect it
+     * @param terms terms on which the drone counts as detected
+     * @param covered the probability with which a sensor has to detect the drone
      * @param progress receives the number of cells that a sensor has looked at since the last call; from any thread
      */
     public static InboundWarnings of(

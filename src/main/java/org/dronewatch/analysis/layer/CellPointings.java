@@ -9,13 +9,13 @@ import org.dronewatch.sensor.Assessor;
 /**
  * How a sensor points while it looks at a drone in a cell.
  *
- * @param towards all pointings in which it may see the drone, evenly spaced in time; each empty for the sensor's own
- *     aim
- * @param passes the indices in {@code towards} at which the drone enters the field of view: just before each of them,
- *     it was outside
+ * @param towards the pointings in which the sensor may see the drone, out of all at equal intervals of time; an empty
+ *     one is the sensor's own aim
+ * @param passes the indices in {@code towards} at which the drone enters the field of view: in the pointing just
+ *     before, it was outside
  * @param phases for each of the pointings, the number of its phase of the search
- * @param share fraction of the time that these pointings represent, 0 to 1
- * @param away a pointing in which it cannot see the drone, if the fraction is less than 1
+ * @param share number of these pointings as a fraction of all, which is also the fraction of the time, 0 to 1
+ * @param away a pointing in which the sensor cannot see the drone, if the fraction is less than 1
  */
 public record CellPointings(
         List<Optional<Pointing>> towards,

@@ -9,8 +9,8 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * Which sensor decides in a cell: the one with the highest probability; in a tie, the one whose cause is nearest to a
- * detection in the order of {@link Cause}; then the one with the greatest margin in dB; then the first. Its cause is
- * the dominant one, which does not depend on margins.
+ * detection in the order of {@link Cause}; then the one with the greatest margin in dB; then the first. The cause of
+ * that sensor is the dominant one, which does not depend on margins.
  */
 public final class Dominance {
     private static final Cause[] CAUSES = Cause.values();
@@ -34,7 +34,7 @@ public final class Dominance {
     /**
      * The number of the sensor that decides.
      *
-     * @param sensors their number, at least one
+     * @param sensors number of sensors, at least one
      * @param ranks the rank of each
      * @param margins the margin of each, dB
      */
@@ -51,7 +51,7 @@ public final class Dominance {
 
     /**
      * The number of the sensor that decides, as {@link #of} gives it, where margins are not known exactly; empty if
-     * they do not suffice.
+     * what is known of them does not suffice.
      */
     public static OptionalInt certain(int sensors, IntUnaryOperator ranks, IntFunction<Margin> margins) {
         int best = of(sensors, ranks, sensor -> margins.apply(sensor).least());

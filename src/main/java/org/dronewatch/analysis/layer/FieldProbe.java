@@ -28,16 +28,16 @@ import org.dronewatch.sensor.SoundTracing;
 import org.dronewatch.world.World;
 
 /**
- * One sensor and a drone that is put anywhere on any course.
+ * One sensor, and a drone that can be put at any position on any of several courses.
  *
  * @param world the site
- * @param drone the drone, anywhere
+ * @param drone the drone, at any position
  * @param sensor name of the sensor
  * @param settings settings of the sensor
  * @param seed seed of the run, for sensors that trace random rays
  * @param courses courses of the drone
  * @param terms terms on which the drone counts as detected
- * @param search where the sensor points while it searches; empty if it does not matter
+ * @param search where the sensor points while it searches; empty if its search does not matter
  * @param assessor assessor of the sensor; threads use its siblings
  * @param shortcuts what an assessment may leave out
  */
@@ -58,16 +58,17 @@ public record FieldProbe(
      * What an assessment may leave out.
      *
      * @param excess what is interpolated between cells; empty where each is assessed
-     * @param isExactAlone whether, of a signal that could be interpolated, only what arrives along deterministic paths
-     *     counts, which are found without random rays: this is much faster, and never gives too strong a signal
+     * @param isExactAlone whether, of a signal that could be interpolated, only the part counts that arrives along
+     *     deterministic paths, which are found without random rays: this is much faster, and never gives too strong a
+     *     signal
      * @param needed the step that the probability has to reach, if nothing else matters: where the result is the same
-     *     on all courses, it is then certain only whether the step is reached
+     *     on all courses, only whether the step is reached can then be relied on
      */
     public record Shortcuts(Optional<ExcessMap> excess, boolean isExactAlone, OptionalInt needed) {
         static final Shortcuts NONE = new Shortcuts(Optional.empty(), false, OptionalInt.empty());
     }
 
-    /** A probe that assesses each cell, of a sensor that searches if the terms say so. */
+    /** A probe that assesses each cell; the sensor searches if the terms say so. */
     public FieldProbe(
             World world,
             Drone drone,
@@ -98,16 +99,16 @@ public record FieldProbe(
         return with(new Shortcuts(map, false, needed()));
     }
 
-    /** This probe, for a signal that could be interpolated, with only what arrives along deterministic paths. */
+    /** This probe of a signal that could be interpolated, counting only what arrives along deterministic paths. */
     public FieldProbe onExactPaths() {
         return with(new Shortcuts(Optional.empty(), true, needed()));
     }
 
     /**
-     * This probe if all that matters is whether the probability reaches a step. It makes a difference only for sensors
-     * that trace sound: others take little longer for the full answer, which can be kept for all steps.
+     * This probe if all that matters is whether the probability reaches a step. This makes a difference only for
+     * sensors that trace sound: others take little longer for the full answer, which can be kept for all steps.
      *
-     * @param step above 0 and at most {@link ProbabilityStep#CERTAIN}
+     * @param step the step to be reached, above 0 and at most {@link ProbabilityStep#CERTAIN}
      */
     public FieldProbe deciding(int step) {
         return settings.as(SoundTracing.class).isEmpty()
@@ -115,7 +116,7 @@ public record FieldProbe(
                 : with(new Shortcuts(excess(), isExactAlone(), OptionalInt.of(step)));
     }
 
-    /** This probe with the same number of other courses. */
+    /** This probe with other courses, as many as before. */
     public FieldProbe on(List<Course> others) {
         return new FieldProbe(world, drone, sensor, settings, seed, others, terms, search, assessor, shortcuts);
     }

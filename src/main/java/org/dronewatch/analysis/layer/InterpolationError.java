@@ -10,9 +10,9 @@ import java.util.Optional;
  *
  * @param places number of positions at which levels were traced to interpolate between them
  * @param heldOut number of positions at which levels were traced to measure the error
- * @param percentile95 the 95th percentile of the error at these, dB
- * @param ofLooks the standard error of the levels that were traced to measure it (root mean square), dB; looks have
- *     this error, too, so interpolating between more positions would not make a field more accurate
+ * @param percentile95 the 95th percentile of the absolute error at the held-out positions, dB
+ * @param ofLooks root mean square of the standard errors of the levels traced at the held-out positions, dB; looks have
+ *     the same standard error, so interpolating between more positions would not make a field more accurate
  * @param inSight bounds on the error where nothing is in the way
  * @param hidden bounds on the error where something is in the way
  */

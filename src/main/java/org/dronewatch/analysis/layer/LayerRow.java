@@ -50,7 +50,7 @@ public final class LayerRow {
     }
 
     /**
-     * The codes of the drone at a position, m, from former codes, of which those of some courses no longer hold.
+     * The codes of the drone at a position, m, given former codes, of which those for some courses no longer hold.
      *
      * @param former as {@link #codesAt} gives them
      * @param changed the numbers of the courses that have changed

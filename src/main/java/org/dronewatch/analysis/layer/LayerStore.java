@@ -58,7 +58,7 @@ public final class LayerStore {
     /**
      * A store for a scene.
      *
-     * @param files the files that were read for it, by their names in the settings
+     * @param files the files that were read for the scene, by their names in the settings
      */
     public static LayerStore of(SceneSettings settings, Map<String, List<FileHash>> files, SiteStore store) {
         return store.isOn() ? of(settings, files, Optional.of(store)) : NONE;
@@ -67,7 +67,7 @@ public final class LayerStore {
     /**
      * This store for another scene, such as one in other weather.
      *
-     * @param files the files that were read for it, by their names in the settings
+     * @param files the files that were read for the scene, by their names in the settings
      */
     public LayerStore under(SceneSettings settings, Map<String, List<FileHash>> files) {
         return store.isPresent() ? of(settings, files, store) : NONE;
@@ -83,7 +83,7 @@ public final class LayerStore {
         return new LayerStore(store, text.toString());
     }
 
-    /** This store for assessments that also depend on a field: on what is interpolated between its cells. */
+    /** This store for assessments that also depend on what is interpolated between the cells of a field. */
     public LayerStore about(FieldGrid grid, List<Course> courses) {
         return store.isEmpty() ? this : new LayerStore(store, world + grid + courses);
     }
@@ -97,7 +97,7 @@ public final class LayerStore {
      * What is interpolated between the cells of a field: taken from this store if it is there, otherwise computed on
      * the {@link Workers} of the calling thread; empty if each cell is assessed.
      *
-     * @param plan where the columns are
+     * @param plan where the columns are, in words
      * @param progress receives the number of cells done since the last call; in total, all cells if levels may be
      *     interpolated, otherwise none
      */
@@ -133,8 +133,8 @@ public final class LayerStore {
     /**
      * Assesses one height of a layer, except for what the store has kept of it.
      *
-     * @param plan where the columns are
-     * @param height its number in the columns
+     * @param plan where the columns are, in words
+     * @param height number of the height in the columns
      * @param name name of the height: what was kept under another name is not looked up
      */
     public void assess(

@@ -9,9 +9,9 @@ import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The looks that a sensor takes within some time while it searches. The time begins at any phase of the search; the
- * search repeats itself. The first phase determines all others at which the sensor looks: within a time shorter than
- * the period, a sensor that turns may never point at the drone. Immutable.
+ * The looks that a sensor takes within some time while it searches. The search is periodic, and the time may begin at
+ * any phase of it. The phase of the first look determines those of all others: within a time shorter than the period, a
+ * sensor that turns may never point at the drone. Immutable.
  */
 public final class LookWindow {
     /** Observers whose required probabilities differ by less than this are treated as one. */
@@ -37,7 +37,7 @@ public final class LookWindow {
     /**
      * The looks of a sensor; empty if the terms are those of a single look, or the time is too short for a look.
      *
-     * @param period of its search, s
+     * @param period period of the sensor's search, s
      * @param phases the number of phases into which the period is divided
      */
     public static Optional<LookWindow> of(FieldTerms terms, SensorSettings<?> sensor, double period, int phases) {
@@ -55,12 +55,12 @@ public final class LookWindow {
 
     /**
      * The probability that the sensor detects a drone within the time, which may begin at each of the phases with equal
-     * probability: the mean over them of 1 minus the probability that all looks from there on miss it. Where chance
-     * decides once per encounter, an observer searches throughout these looks.
+     * probability: the mean, over the phases, of 1 minus the probability that all looks within the time from there on
+     * miss the drone. Where chance decides once per encounter, an observer searches throughout these looks.
      *
      * @param looks the probabilities of the looks in some phases, 0 to 1; in the others the probability is 0
      * @param at the numbers of these phases
-     * @return 0 and 1 only where they are exact
+     * @return the probability, 0 to 1; 0 or 1 only where this is exact
      */
     public double probability(double[] looks, List<Integer> at) {
         boolean isSeen = false;

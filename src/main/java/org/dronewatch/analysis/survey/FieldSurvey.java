@@ -28,6 +28,7 @@ import org.dronewatch.scenario.SceneSettings;
  * @param detectable the lowest heights at which a sensor detects the drone
  * @param warnings the warnings of inbound flights
  * @param conditions the coverage of the scene as it is and under each condition that was asked for; empty if none was
+ *     asked for
  * @param asked how many conditions were asked for
  */
 public record FieldSurvey(

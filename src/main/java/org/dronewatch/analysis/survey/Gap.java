@@ -10,14 +10,14 @@ import org.dronewatch.sensor.Cause;
 /**
  * A gap in the coverage at one height: cells that no sensor covers, connected along their edges.
  *
- * @param cells number of its cells
- * @param area its area, m2
- * @param x east coordinate of the centre of its innermost cell, m: the cell that is farthest from everything outside
- *     the gap; in a tie, the first from the north-west
+ * @param cells number of cells in the gap
+ * @param area area of the gap, m2
+ * @param x east coordinate of the centre of the gap's innermost cell, m: the cell that is farthest from everything
+ *     outside the gap; in a tie, the first from the north-west
  * @param y north coordinate of the same cell, m
  * @param causes the number of cells for each dominant cause, in the order of {@link Cause}
- * @param cause the most frequent dominant cause in it; in a tie, the one nearest to a detection
- * @param touchesRim whether it reaches the edge of the grid or of its area, so that it may continue outside
+ * @param cause the most frequent dominant cause in the gap; in a tie, the one nearest to a detection
+ * @param touchesRim whether the gap reaches the edge of the grid or of its area, so that it may continue outside
  */
 public record Gap(
         int cells, double area, double x, double y, Map<Cause, Integer> causes, Cause cause, boolean touchesRim) {

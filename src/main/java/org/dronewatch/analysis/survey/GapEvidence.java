@@ -26,8 +26,8 @@ import org.dronewatch.sensor.Cause;
  * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} represents a
  *     probability that is too low
  * @param examined a few cells for each cause, spread evenly over the cells with that cause, and, where the signal is
- *     too weak, those with the greatest and the least of the margins that the field keeps as values; they are assessed
- *     again, with what hides the drone, and by how much its signal is too weak
+ *     too weak, those with the greatest and the least of the margins that the field keeps as values; all of these cells
+ *     are assessed again, which shows what hides the drone, and by how much its signal is too weak
  */
 public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examined> examined) {
     /** Maximum number of cells of a gap, spread evenly, that are assessed again for each cause. */
@@ -51,7 +51,7 @@ public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examin
      * The evidence of each sensor for a gap, on the {@link Workers} of the calling thread; the result does not depend
      * on their number.
      *
-     * @param gap its number in the map
+     * @param gap number of the gap in the map
      */
     public static List<GapEvidence> of(GapMap map, int gap, Stage stage) {
         int[] cells = map.cells(gap);

@@ -10,10 +10,10 @@ import org.dronewatch.analysis.field.FieldCoverage;
 /**
  * A gap that extends over several heights: gaps at neighbouring heights, each above the one before.
  *
- * @param lowest number of its lowest height in the grid
- * @param highest number of its highest height
- * @param height number of the height at which it is largest; in a tie, the lowest
- * @param number number of its largest part in the {@link GapMap} of that height
+ * @param lowest the number, in the grid, of the lowest height of the gap
+ * @param highest the number of the highest height of the gap
+ * @param height the number of the height at which the gap is largest; in a tie, that of the lowest
+ * @param number the number of the largest part in the {@link GapMap} of that height
  * @param gap the largest part
  */
 public record GapSpan(int lowest, int highest, int height, int number, Gap gap) {

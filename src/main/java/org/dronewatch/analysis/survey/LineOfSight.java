@@ -17,7 +17,7 @@ public final class LineOfSight {
     /**
      * What blocks a line of sight.
      *
-     * @param blocker the first surface on it
+     * @param blocker the first surface on the line
      * @param at where the line meets that surface, m
      */
     public record Blocked(Blocker blocker, Position at) {}
@@ -32,7 +32,7 @@ public final class LineOfSight {
      * The first obstacle on the line from one point to another; empty if they are mutually visible.
      *
      * @param from where the line begins, m
-     * @param to where it ends, m
+     * @param to where the line ends, m
      */
     public Optional<Blocked> between(Position from, Position to) {
         if (visibility.obstacle(from, to).isEmpty()) {

@@ -8,8 +8,8 @@ import org.dronewatch.setting.In;
 /**
  * How high a sensor is above the first surface below it.
  *
- * @param metres its height above the surface, 0 or more, m
- * @param surface what that surface belongs to
+ * @param metres height of the sensor above the surface, 0 or more, m
+ * @param surface what the surface belongs to
  */
 public record MountingHeight(double metres, Blocker surface) {
     /** Sensors may stand exactly on a surface; the search begins this much above them, m. */

@@ -8,7 +8,7 @@ import org.dronewatch.analysis.field.FieldCoverage;
  *
  * @param all the coverage with all sensors
  * @param rest the coverage without the sensors that fail, as {@link FieldCoverage#without} gives it
- * @param height its number in the grid
+ * @param height number of the height in the grid
  * @param known the number of cells that are known with all sensors
  * @param covered the number of cells that are covered with all sensors
  * @param remaining the number of cells that are still covered without the sensors that fail

@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Turns Ctrl-C, a request to terminate, and the end of a time limit into an orderly end. The thread of the command is
- * interrupted, so that it ends whatever it is doing, cleans up or writes what it has. Only then does the process end:
- * after a signal, with its exit code.
+ * interrupted, so that it ends whatever it is doing, cleans up or writes what it has. Only then does the process end;
+ * after a signal, it ends with the signal's exit code.
  */
 public final class Interruption implements AutoCloseable {
     private static final long PATIENCE_SECONDS = 60;

@@ -31,8 +31,8 @@ public final class Progress implements SceneListener, AutoCloseable {
     /**
      * The progress of only one run, up to a time.
      *
-     * @param only index of the run; negative for all runs
-     * @param until simulated time at which it ends, s
+     * @param only index of the run; negative for all runs of the scene
+     * @param until simulated time at which the simulation ends, s
      */
     public Progress(String task, int only, double until) {
         this.task = task;
@@ -40,7 +40,7 @@ public final class Progress implements SceneListener, AutoCloseable {
         this.until = until;
     }
 
-    /** A bar for a number of steps; none without a terminal. */
+    /** A bar for a number of steps; null without a terminal. */
     public static ProgressBar barOf(String task, long steps) {
         TimeLeft left = new TimeLeft(steps);
         return barOf(task, steps, bar -> left.after(bar.getCurrent(), bar.getElapsedAfterStart()));

@@ -43,7 +43,7 @@ public record TaskProgress(Amount amount, PrintWriter err) {
     /**
      * Runs a task that reports how many steps it has done since the last time, from any thread.
      *
-     * @param steps their approximate number
+     * @param steps approximate number of steps
      */
     public <T> T during(String task, long steps, Function<IntConsumer, T> work) {
         return during(task, steps, work, () -> false);

@@ -25,9 +25,9 @@ import org.dronewatch.world.World;
  * @param latitude of the origin, degrees
  * @param longitude of the origin, degrees
  * @param radius of the site, m
- * @param terrain names of the files of elevations beside the scene
+ * @param terrain names of the elevation files beside the scene
  * @param terrainCrs coordinate reference system of these files, if they do not state it
- * @param isSurface whether roofs and treetops are in the elevations
+ * @param isSurface whether the elevations include roofs and treetops
  * @param buildings name of the map beside the scene
  * @param mapCrs coordinate reference system of the map, if it does not state it
  */
@@ -54,7 +54,7 @@ public record NewScene(
     private static final double SPEED = 15.0;
     private static final double MAST = 6.0;
 
-    /** The site alone: what has to be read before sensors can be placed on it. */
+    /** The text of a scene with the site alone, which has to be read before sensors can be placed on it. */
     public String site() {
         StringBuilder text = new StringBuilder();
         line(
@@ -114,7 +114,7 @@ public record NewScene(
         return file.matches("[A-Za-z0-9_][A-Za-z0-9_.-]*") ? file : "'" + file.replace("'", "''") + "'";
     }
 
-    /** The whole scene, with sensors and a flight where the site suggests them. */
+    /** The text of the whole scene, with sensors and a flight where the site suggests them. */
     public String whole(World world) {
         double within = Math.min(MASTS_WITHIN, 0.125 * radius);
         List<Position> masts = HighPoints.near(world, within, 2, MASTS_APART);

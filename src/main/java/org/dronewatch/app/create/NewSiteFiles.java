@@ -23,9 +23,9 @@ import org.dronewatch.terrain.io.ElevationFiles;
 /**
  * The files of a new scene, as they were named on the command line.
  *
- * @param terrain files of elevations
- * @param map with buildings
- * @param crs coordinate reference system of those that do not state theirs
+ * @param terrain elevation files
+ * @param map map with buildings; empty if none was named
+ * @param crs coordinate reference system of the files that do not state one; empty if none was given
  */
 public record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<String> crs) {
     private static final String TERRAIN = "--terrain";
@@ -100,7 +100,7 @@ public record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<
         return without.flatMap(file -> crs);
     }
 
-    /** Whether roofs and treetops are in the elevations. */
+    /** Whether the elevations include roofs and treetops. */
     public boolean isSurface() {
         return terrain.stream().anyMatch(file -> open(file).isSurfaceModel());
     }
@@ -121,7 +121,10 @@ public record NewSiteFiles(List<String> terrain, Optional<String> map, Optional<
         }
     }
 
-    /** A message with the option that names the file, instead of a line of the scene, which the user has not seen. */
+    /**
+     * Rewrites a message so that it refers to the command-line option that names the file, not to a line of the
+     * generated scene, which the user has not seen. Other messages are returned unchanged.
+     */
     public String inOptions(String message) {
         Matcher located = IN_SCENE.matcher(message);
         if (!located.matches()) {

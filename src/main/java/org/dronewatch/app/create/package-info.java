@@ -1,2 +1,2 @@
-/** The scene that the command new writes, with the files of its site. */
+/** The scene that the {@code new} command writes, with the files of its site. */
 package org.dronewatch.app.create;

@@ -21,7 +21,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** A scene by its name, and what to change in it; subclasses define where on the command line the name is given. */
+/**
+ * A scene given by its name, and the settings to change in it; subclasses define where on the command line the name is
+ * given.
+ */
 public abstract class ChosenScene {
     static final String DESCRIPTION =
             "A packaged scene (see 'list'), a scene file in YAML, or a class that extends Scene.";
@@ -46,7 +49,7 @@ public abstract class ChosenScene {
     /** The name of the scene. */
     abstract String name();
 
-    /** A new scene. */
+    /** A new instance of the scene, without the overrides. */
     public final Scene create() {
         return create(name());
     }
@@ -69,7 +72,7 @@ public abstract class ChosenScene {
         return SceneFile.isFileName(name()) ? Optional.of(file(name())) : Optional.empty();
     }
 
-    /** Whether a path is that of the file that describes the scene, by whatever name. */
+    /** Whether a path leads to the file that describes the scene, even under another name. */
     public final boolean isSceneFile(Path path) {
         try {
             Optional<Path> file = sceneFile();

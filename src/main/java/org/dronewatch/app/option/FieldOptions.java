@@ -155,7 +155,7 @@ public final class FieldOptions {
         return kind().word();
     }
 
-    /** The heading of the drone that counts. */
+    /** The drone's heading for which the coverage counts: the worst, the best, or inbound. */
     public FieldHeading kind() {
         return heading == null
                 ? FieldHeading.WORST

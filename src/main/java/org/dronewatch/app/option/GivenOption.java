@@ -2,7 +2,7 @@ package org.dronewatch.app.option;
 
 import org.dronewatch.setting.PlainText;
 
-/** An option as a message repeats it. */
+/** An option as messages quote it. */
 public final class GivenOption {
     private GivenOption() {}
 

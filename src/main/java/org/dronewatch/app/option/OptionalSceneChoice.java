@@ -21,7 +21,7 @@ public final class OptionalSceneChoice extends ChosenScene {
     /**
      * Whether a scene is named.
      *
-     * @throws InputException when none is, but settings are to be changed: it is not known in which scene
+     * @throws InputException if none is named although settings are to be changed
      */
     public boolean isNamed() {
         if (name == null && hasOverrides()) {

@@ -11,8 +11,8 @@ public final class PathWord {
     /**
      * The path that a word names.
      *
-     * @param option what it is for, such as {@code --out}; may be empty
-     * @throws InputException when it is empty, or this system cannot have such a path
+     * @param option option that the word belongs to, such as {@code --out}, for messages; may be empty
+     * @throws InputException if the word is empty, or not a valid path on this system
      */
     public static Path of(String option, String word) {
         if (word.isEmpty()) {

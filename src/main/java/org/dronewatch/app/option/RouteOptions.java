@@ -176,7 +176,7 @@ public final class RouteOptions {
      * The cells.
      *
      * @param middle of the area, m
-     * @param usual length of its side unless another was given, m
+     * @param usual length of the area's side unless another was given, m
      * @param ceiling of the drone, up to which the heights reach unless others were given, m
      */
     public FieldGrid grid(Position middle, double usual, double ceiling) {

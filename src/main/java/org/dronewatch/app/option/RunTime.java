@@ -10,10 +10,10 @@ public final class RunTime {
     /**
      * Reads a time.
      *
-     * @param option what messages call it, such as {@code --time}
+     * @param option name of the option in messages, such as {@code --time}
      * @param text a number of seconds, or a number with another unit of time
      * @param duration of the run, s
-     * @throws InputException when it is not a time within the run
+     * @throws InputException when the text is not a time within the run
      */
     public static double parse(String option, String text, double duration) {
         double seconds;

@@ -21,7 +21,7 @@ public final class SceneChoice extends ChosenScene {
         return name;
     }
 
-    /** A new scene by its name, as it is. */
+    /** A new scene by its name, without overrides. */
     public static Scene named(String name) {
         return create(name);
     }

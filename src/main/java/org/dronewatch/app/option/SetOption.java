@@ -14,7 +14,7 @@ public final class SetOption {
      *
      * @param option for messages
      * @param words each {@code PATH=VALUE}
-     * @throws InputException with a one-line message when one is not
+     * @throws InputException with a one-line message when a word is not of this form
      */
     public static Map<String, String> parsed(String option, List<String> words) {
         Map<String, String> values = new LinkedHashMap<>();

@@ -34,7 +34,7 @@ public final class FilmOptions {
             description = "Playback speed of a video relative to real time, 0.01 to 1000; 1 by default.")
     private Double speed;
 
-    /** Rejects options of a film if none is made. */
+    /** Rejects the options for films; to be called when no film is made. */
     public void checkUnused() {
         String given = from != null
                 ? "--from " + from

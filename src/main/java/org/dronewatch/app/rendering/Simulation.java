@@ -21,7 +21,7 @@ public final class Simulation {
      * A simulation that has not begun.
      *
      * @param runner with the overrides and the seed of the run
-     * @param run its index in a sweep
+     * @param run index of the run in a sweep
      * @param bars whether progress is shown
      */
     public Simulation(Scene scene, SceneRunner runner, int run, int threads, boolean bars) {

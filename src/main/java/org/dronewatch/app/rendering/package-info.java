@@ -1,2 +1,2 @@
-/** The pictures and films of the command render. */
+/** The pictures and films of the {@code render} command. */
 package org.dronewatch.app.rendering;

@@ -21,14 +21,14 @@ import org.dronewatch.report.placement.PlaceMeasure;
 import org.dronewatch.run.Stage;
 
 /**
- * A placement that is to be found: what the search needs, whatever its objective.
+ * The search for a placement: what it needs, whatever the objective.
  *
  * @param plan what is asked for
  * @param stage of its scene
  * @param store of assessments that were made before
  * @param limits of each choice among candidates
  * @param budgets maximum number of budgets for which the best layout is sought, including the full one
- * @param interruption by the user
+ * @param interruption by the user, or at the end of the time
  * @param shown shows the progress
  */
 public record PlaceTask(

@@ -1,2 +1,2 @@
-/** The searches of the commands place and route, which may take long and can be stopped. */
+/** The searches of the {@code place} and {@code route} commands, which may take long and can be stopped. */
 package org.dronewatch.app.search;

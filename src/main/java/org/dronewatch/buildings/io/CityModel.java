@@ -17,7 +17,7 @@ public record CityModel(double[] vertices, List<Solid> solids) {
     /**
      * The surfaces of a building, which should enclose it.
      *
-     * @param id its identifier in the model
+     * @param id identifier of the building in the model
      * @param surfaces each with its outline, counter-clockwise as seen from outside, and its openings, given by the
      *     numbers of their vertices
      */

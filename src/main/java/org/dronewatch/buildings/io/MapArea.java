@@ -19,7 +19,7 @@ public record MapArea(double west, double east, double south, double north) {
     /**
      * The square around an origin.
      *
-     * @param half half its side, m
+     * @param half half the length of a side, m
      */
     public static MapArea about(Origin origin, double half) {
         Geodesy geodesy = new Geodesy(origin);
@@ -39,7 +39,7 @@ public record MapArea(double west, double east, double south, double north) {
         return new MapArea(west, east, south, north);
     }
 
-    /** Whether this area contains a point, degrees. */
+    /** Whether this area contains the point with this longitude and latitude, degrees. */
     public boolean contains(double longitude, double latitude) {
         double turned = longitude + FULL_TURN * Math.ceil((west - longitude) / FULL_TURN);
         return latitude >= south && latitude <= north && turned <= east;

@@ -7,11 +7,11 @@ import java.util.stream.Stream;
 /**
  * A feature of a map: a building, a part of one, or a wood. The arrays are not copied: callers must not modify them.
  *
- * @param id its identifier on the map, such as {@code way/4713}
+ * @param id identifier of the feature on the map, such as {@code way/4713}
  * @param outers closed outlines: x and y of each corner in turn, in the map's coordinates, without repeating the first
  *     one
  * @param inners courtyards, in the same form
- * @param tags what the map states about it, by key
+ * @param tags what the map states about the feature, by key
  */
 public record MapFeature(String id, List<double[]> outers, List<double[]> inners, Map<String, String> tags) {
     /** Copies the lists: later changes by the caller have no effect. */

@@ -9,8 +9,8 @@ import org.dronewatch.setting.input.FileHash;
 /**
  * The contents of a map file.
  *
- * @param features outlines of buildings and parts of buildings, in the order of the file
- * @param model instead of outlines, the buildings of a city model with their walls and roofs
+ * @param features outlines of buildings, parts of buildings and woods, in the order of the file
+ * @param model the buildings of a city model, with their walls and roofs; if present, there are no outlines
  * @param land land cover, if it was requested
  * @param leftOut features that could not be used, and their number, in words
  * @param format format of the file, in words

@@ -14,8 +14,8 @@ import org.dronewatch.setting.PlainText;
  *
  * @param rule what the format requires
  * @param stated what the file states about its coordinates: a code, a URN or a URL; not checked yet
- * @param member of the file that states it
- * @param extent of its coordinates
+ * @param member member of the file that states its system
+ * @param extent extent of the coordinates in the file
  * @param foreign the first point that cannot be a longitude and latitude, with its location in the file, in words
  */
 public record MapSystem(Rule rule, Optional<String> stated, String member, MapExtent extent, Optional<String> foreign) {
@@ -51,9 +51,9 @@ public record MapSystem(Rule rule, Optional<String> stated, String member, MapEx
      * The system of the coordinates.
      *
      * @param file name of the map, for messages
-     * @param given by the scene
-     * @throws InputException with a one-line message when it is neither given nor stated, is not known, or does not fit
-     *     the coordinates
+     * @param given the system that the scene states, if any
+     * @throws InputException with a one-line message when the system is neither given nor stated, is not known, or does
+     *     not fit the coordinates
      */
     public CoordinateReferenceSystem crs(String file, Optional<CoordinateReferenceSystem> given) {
         if (rule == Rule.ALWAYS_DEGREES) {

@@ -46,7 +46,7 @@ public enum LandClass {
         return ALL;
     }
 
-    /** The number of this class in a raster. */
+    /** The code of this class in rasters. */
     public int code() {
         return ordinal();
     }

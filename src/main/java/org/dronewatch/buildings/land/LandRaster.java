@@ -17,8 +17,8 @@ public final class LandRaster {
     /**
      * A raster.
      *
-     * @param half half of its side, m
-     * @param side number of rows, and of columns
+     * @param half half the length of a side of the square, m
+     * @param side number of cells along a side
      * @param codes of the classes, row by row from the south, each from west to east; the array is not copied: callers
      *     must not modify it
      * @throws IllegalArgumentException when there are more or fewer codes than cells, or a code is unknown
@@ -60,22 +60,22 @@ public final class LandRaster {
                 .toArray();
     }
 
-    /** Whether any cell has a class. */
+    /** Whether any cell has a class other than {@link LandClass#NONE}. */
     public boolean isAnywhere() {
         return counts[LandClass.NONE.code()] < codes.length;
     }
 
-    /** Half of the side of the square, m. */
+    /** Half the length of a side of the square, m. */
     public double half() {
         return half;
     }
 
-    /** The side of a cell, m. */
+    /** The length of a side of a cell, m. */
     public double cell() {
         return 1.0 / perMetre;
     }
 
-    /** The number of rows, and of columns. */
+    /** The number of cells along a side of the square. */
     public int side() {
         return side;
     }

@@ -16,8 +16,8 @@ import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.Quantity;
 
 /**
- * The land cover of a map, drawn into a raster, with the lines of the report about it. It is drawn in this order: the
- * sea; areas, the larger ones first; waterways; lakes; paved areas; railways; paths; roads.
+ * The land cover of a map, drawn into a raster, with the lines of the report about it. The cover is drawn in this
+ * order: the sea; areas, the larger ones first; waterways; lakes; paved areas; railways; paths; roads.
  */
 public final class LandSurvey {
     private static final int EXAMPLES = 3;
@@ -41,7 +41,7 @@ public final class LandSurvey {
      * What a survey found.
      *
      * @param cover the land cover
-     * @param description in lines for the report
+     * @param description description of the cover, in lines for the report
      * @param warnings about what is missing, one line each
      */
     public record Found(LandRaster cover, List<String> description, List<String> warnings) {
@@ -57,7 +57,7 @@ public final class LandSurvey {
      *
      * @param file name of the map, for warnings
      * @param land the land cover of the map
-     * @param half of the side of the square around the origin that is drawn, m
+     * @param half half the length of a side of the square around the origin that is drawn, m
      * @param inWorld transforms coordinates of the map to the world frame, m: x and y of each corner in turn
      */
     public static Found of(String file, MapLand land, double half, UnaryOperator<double[]> inWorld) {

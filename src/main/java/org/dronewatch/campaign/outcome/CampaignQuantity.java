@@ -21,17 +21,17 @@ public enum CampaignQuantity {
         this.unit = unit;
     }
 
-    /** Its name in words. */
+    /** The name of the quantity in words. */
     public String words() {
         return words;
     }
 
-    /** Its unit; empty for a probability. */
+    /** The unit of the quantity; empty for those that are 0 or 1. */
     public String unit() {
         return unit;
     }
 
-    /** Its value in a case that did not fail. */
+    /** The value of the quantity in a case that did not fail. */
     public double of(CaseResult result) {
         return switch (this) {
             case WARNING_S -> result.warning().orElse(0.0);

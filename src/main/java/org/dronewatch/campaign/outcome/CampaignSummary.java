@@ -55,7 +55,7 @@ public final class CampaignSummary {
                 && variants.values().stream().anyMatch(one -> one.cases() > 0);
     }
 
-    /** All pairs of variants, by each outcome that is known for both. */
+    /** The comparisons of all pairs of variants by each outcome that is known for both. */
     public List<VariantComparison> comparisons() {
         return comparisons.stream().filter(VariantComparison::isKnown).toList();
     }

@@ -17,12 +17,13 @@ import java.util.OptionalDouble;
  * @param error why there is no result, in one line; empty if there is one
  * @param bearing bearing of the first attacking drone at the start, from the centre of what is protected or from the
  *     mean position of the sensors, clockwise from north, rad; empty in a case that failed or has no drone
- * @param firstDetected when the first attacking drone was first detected, s; empty if never
- * @param firstSensor the sensor that detected it first; empty if none did
- * @param range its distance from that sensor at that time, m; empty if it was never detected
+ * @param firstDetected when an attacking drone was first detected by any sensor, s; empty if never
+ * @param firstSensor the sensor that made this first detection; empty if there was none
+ * @param range distance of the drone from the sensor at the first detection, m; empty if there was none
  * @param alert when the first alert was raised for an attacking drone, s; empty if never
  * @param warning the warning time of that alert, s; empty if there is no alert or no zone
- * @param inTime whether that alert came in time; empty if nothing is protected or no response time is required
+ * @param inTime whether that alert came in time, false without an alert; empty if nothing is protected or no response
+ *     time is required
  * @param closest the shortest distance of an attacking drone from what is protected, m: 0 if one reached it; empty if
  *     nothing is protected
  * @param cutShort whether the run ended while an attacking drone for which there was no alert was still coming closer

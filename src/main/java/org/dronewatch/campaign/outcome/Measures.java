@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 import java.util.function.DoubleConsumer;
 
 /**
- * A quantity of many cases, where a case without it counts as worse than any with it. For use by one thread. Memory
- * does not grow with the number of cases: beyond a few thousand, values go to a temporary file.
+ * The values of a quantity in many cases. A case without a value counts as lower than any with one. For use by one
+ * thread. Memory does not grow with the number of cases: beyond a few thousand, values go to a temporary file.
  */
 public final class Measures {
     /** The greatest number of values in memory. */
@@ -49,7 +49,8 @@ public final class Measures {
     }
 
     /**
-     * The quantile of the cases, by nearest rank: the least value that at least this fraction of them does not exceed.
+     * The quantile of the cases, by nearest rank: the least value that at least the given fraction of the cases does
+     * not exceed.
      *
      * @param share the fraction, above 0, up to 1
      * @return the quantile; empty if there are no cases, or if the case of that rank lacks the quantity

@@ -8,8 +8,8 @@ import org.dronewatch.statistics.Proportion;
  * variants differ are decisive.
  *
  * @param onlyA number of cases in which only the first variant has the outcome
- * @param onlyB number of cases in which only the second has it
- * @param of number of all cases, at least the sum of both
+ * @param onlyB number of cases in which only the second variant has the outcome
+ * @param of number of all cases, at least {@code onlyA + onlyB}
  */
 public record PairedDifference(int onlyA, int onlyB, int of) {
     /** Checks the limits. */

@@ -22,7 +22,7 @@ public record Shard(int number, int of) {
     /**
      * Reads a shard written as in {@code 2/4}.
      *
-     * @throws IllegalArgumentException when it is not a shard
+     * @throws IllegalArgumentException when the text is not a shard
      */
     public static Shard parse(String text) {
         if (!text.matches("\\d{1,6}/\\d{1,6}")) {

@@ -8,7 +8,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * How precisely a probability is to be known: cases are run until it is.
+ * How precisely a probability is to be known: cases are run until it is known with this precision.
  *
  * @param of the outcome whose probability is to be known
  * @param variant the variant; may be omitted if there is only one

@@ -67,7 +67,7 @@ public final class VariantSummary {
         }
     }
 
-    /** The sector of a bearing, rad clockwise from north; the first is centred on north. */
+    /** The number of the sector of a bearing, rad clockwise from north; sector 0 is centred on north. */
     public static int sector(double bearing) {
         return (int) Math.floor(bearing / TURN * SECTORS + 0.5) % SECTORS;
     }
@@ -89,7 +89,7 @@ public final class VariantSummary {
 
     /**
      * The number of cases whose run ended while a drone for which there was no alert was still coming closer to what is
-     * protected: they count as they are, but a longer run might have had another outcome.
+     * protected. These cases count with the outcome that they had, although a longer run might have had another.
      */
     public int cutShort() {
         return cutShort;
@@ -126,7 +126,8 @@ public final class VariantSummary {
     }
 
     /**
-     * The number of cases in which each sensor was the first to detect a drone, by its name; in the order of the names.
+     * The number of cases in which each sensor was the first to detect a drone, by name of the sensor, in alphabetical
+     * order.
      */
     public Map<String, Integer> firstSensors() {
         return Collections.unmodifiableMap(firstSensors);
@@ -137,7 +138,7 @@ public final class VariantSummary {
         return ranges;
     }
 
-    /** The warning times, s. */
+    /** The warning time in each case, s. */
     public Measures warnings() {
         return warnings;
     }

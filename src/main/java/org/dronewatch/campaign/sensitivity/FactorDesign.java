@@ -41,7 +41,7 @@ public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
         /**
          * A number of 0 or more and below 1.
          *
-         * @param isSecond whether it is for the second value of the factor
+         * @param isSecond whether the number is for the second value of the factor
          */
         double draw(int group, int factor, boolean isSecond);
     }

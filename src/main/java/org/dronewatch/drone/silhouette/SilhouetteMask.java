@@ -3,9 +3,9 @@ package org.dronewatch.drone.silhouette;
 import java.util.Arrays;
 
 /**
- * The area that a level drone certainly covers, and the area that it certainly does not, seen from any of a range of
- * directions: a grid of square texels around its origin, in the plane perpendicular to the line of sight. The grid's
- * first texel is at the left and at the bottom. Immutable.
+ * The area that a level drone certainly covers, and the area that it certainly does not cover, as seen from any
+ * direction within a range: a grid of square texels around the drone's origin, in the plane perpendicular to the line
+ * of sight. The first texel is at the bottom left. Immutable.
  */
 public final class SilhouetteMask {
     /** The number of texels along a side. */
@@ -14,10 +14,16 @@ public final class SilhouetteMask {
     /** A texel no point of which is covered. */
     public static final byte OUTSIDE = 0;
 
-    /** A texel that may be covered or not, or in part; seen from the middle of the range, its centre is not. */
+    /**
+     * A texel that may be covered, in full or in part, or not; seen from the middle of the range, its centre is not
+     * covered.
+     */
     public static final byte UNLIKELY = 1;
 
-    /** A texel that may be covered or not, or in part; seen from the middle of the range, its centre is. */
+    /**
+     * A texel that may be covered, in full or in part, or not; seen from the middle of the range, its centre is
+     * covered.
+     */
     public static final byte LIKELY = 2;
 
     /** A texel all of whose points are covered. */
@@ -45,7 +51,7 @@ public final class SilhouetteMask {
     }
 
     /**
-     * Copies the kinds of a list of texels, which are kept until those of another list are requested: a list is far
+     * Copies the kinds of a list of texels. They are kept until the kinds of another list are requested: a list is far
      * smaller than a mask, and so remains in the processor's caches where masks do not.
      *
      * @param texels numbers of texels, or a negative number for a point that is outside the mask; must not be changed

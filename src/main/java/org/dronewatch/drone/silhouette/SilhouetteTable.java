@@ -38,7 +38,7 @@ public final class SilhouetteTable {
         return raster.radius();
     }
 
-    /** Half the side of a mask, m. */
+    /** Half the side length of a mask, m. */
     public double halfWidth() {
         return raster.halfWidth();
     }

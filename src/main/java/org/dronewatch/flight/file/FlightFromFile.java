@@ -8,19 +8,19 @@ import org.dronewatch.world.Ground;
 /** A flight from a file of another program; its position depends on the scene's origin and ground. */
 public interface FlightFromFile extends FlightPathSettings {
 
-    /** The file's name in the settings. */
+    /** The name of the file, as given in the settings. */
     String file();
 
-    /** The component that holds the file's name. */
+    /** The name of the record component that holds the file's name, such as {@code plan}. */
     String fileSetting();
 
     /**
      * Reads the file.
      *
      * @param path path of the file
-     * @param shown its name in messages and in the provenance of a run
-     * @throws org.dronewatch.setting.InputException when it cannot be read, is too large, or has content that is not
-     *     supported; the message gives the line or the item
+     * @param shown name of the file in messages and in the provenance of a run
+     * @throws org.dronewatch.setting.InputException when the file cannot be read, is too large, or has content that is
+     *     not supported; the message gives the line or the item
      */
     FlightSource read(Path path, String shown);
 

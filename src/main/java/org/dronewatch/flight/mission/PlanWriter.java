@@ -65,16 +65,16 @@ public final class PlanWriter {
     /**
      * The result of writing a flight.
      *
-     * @param text the file
+     * @param text content of the file
      * @param items number of items of the mission
-     * @param tolerance the greatest distance of the flight from the straight lines of the mission, m
+     * @param tolerance limit on the distance of the flight from the straight lines of the mission, m
      */
     public record Written(String text, int items, double tolerance) {}
 
     /**
      * A writer for flights of a scene.
      *
-     * @param places places of its site
+     * @param places converts places on the map to positions on the scene's site
      * @param isWinged whether the drone is a fixed-wing aircraft
      */
     public PlanWriter(Origin origin, Places places, boolean isWinged) {
@@ -86,7 +86,7 @@ public final class PlanWriter {
     /**
      * Writes a flight.
      *
-     * @param until time at which it ends, above 0, s
+     * @param until time at which the flight ends, above 0, seconds since the start of the run
      */
     public Written write(FlightPath path, double until) {
         PlanSampling.Waypoints found = new PlanSampling(path, until).waypoints();

@@ -66,7 +66,7 @@ public final class Features {
     /**
      * Reads a file, whose format is recognised by its beginning.
      *
-     * @param shown its name in messages
+     * @param shown name of the file in messages
      * @throws InputException with a one-line message when it is neither GeoJSON nor KML, or a point in it is invalid
      */
     public static Features read(String shown, byte[] bytes) {
@@ -89,20 +89,20 @@ public final class Features {
     /**
      * The point with this name.
      *
-     * @throws IllegalArgumentException when there is none, there are several, or it is not a point
+     * @throws IllegalArgumentException when there is no such feature, there are several, or it is not a point
      */
     public EarthPoint point(String name) {
         return only(name).point().orElseThrow();
     }
 
     /**
-     * The place with this name, at the given height if there is one. Otherwise it is at the height in the file, if
-     * its datum is stated, or else on the surface.
+     * The place of the feature with this name, at the given height if there is one. Otherwise the place is at the
+     * height in the file, if the datum of that height is stated, or else on the surface.
      *
      * @param above height above the surface, m
      * @param height height above sea level, m
-     * @throws IllegalArgumentException when there is none, there are several, it is not a point, or its height is
-     *     unclear
+     * @throws IllegalArgumentException when there is no such feature, there are several, it is not a point, or the
+     *     datum of its height is not stated
      */
     public EarthPlace place(String name, Optional<Double> above, Optional<Double> height) {
         Feature feature = only(name);

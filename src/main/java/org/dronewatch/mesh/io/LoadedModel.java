@@ -15,12 +15,13 @@ import org.dronewatch.setting.input.FileHash;
  * A model read from a file.
  *
  * @param name the file's name
- * @param mesh its triangles, placed in the world's frame
+ * @param mesh triangles of the model, placed in the world frame
  * @param dropped number of triangles without area that were left out
  * @param skipped number of statements without effect, by keyword
- * @param colours of its materials in daylight, red, green and blue in the lowest 24 bits, by material name; those
- *     without a colour are left out
- * @param files the files, with hashes of their bytes: the model file first, then its material libraries
+ * @param colours colours of the materials in daylight, red, green and blue in the lowest 24 bits, by material name;
+ *     those without a colour are left out
+ * @param files the files, with hashes of their bytes: the model file first, then the files beside it that were read,
+ *     such as material libraries
  * @param warnings about suspicious content that is not an error, one line each
  */
 public record LoadedModel(

@@ -20,7 +20,7 @@ public interface MeshReader {
     /**
      * Reads a model and places it in the world; a {@link ModelCollector} does everything except parsing the format.
      *
-     * @param file of bounded size, with access to the files beside it
+     * @param file the model file, of bounded size, with access to the files beside it
      * @param settings up axis, scale, position and heading
      * @throws org.dronewatch.setting.InputException with file and location if the file is not such a model
      */

@@ -49,13 +49,13 @@ public final class ModelCollector {
     }
 
     /**
-     * Adds a vertex in the file's own coordinates, which are rounded to single precision only after it has been placed:
-     * coordinates of a national grid remain exact if the model has a {@linkplain ModelSettings#crs() crs}, or if its
-     * {@linkplain ModelSettings#origin() origin} lies on the site.
+     * Adds a vertex in the file's own coordinates, which are rounded to single precision only after the vertex has been
+     * placed: coordinates of a national grid remain exact if the model has a {@linkplain ModelSettings#crs() crs}, or
+     * if its {@linkplain ModelSettings#origin() origin} lies on the site.
      *
-     * @return its index, from 0 on
-     * @throws InputException when it is not finite, placed too far from the origin, does not fit into memory, or lies
-     *     outside the domain of the model's grid
+     * @return the index of the vertex, from 0 on
+     * @throws InputException when the vertex is not finite, is placed too far from the origin, does not fit into
+     *     memory, or lies outside the domain of the model's grid
      */
     public int addVertex(double x, double y, double z) {
         budget.take(VERTEX);
@@ -77,7 +77,7 @@ public final class ModelCollector {
     /**
      * Adds a planar polygon.
      *
-     * @param material its name; not empty
+     * @param material name of the material; not empty
      * @param corners three or more indices of vertices that were added before
      * @throws InputException when there are fewer corners, a vertex is missing, or there are too many triangles, in
      *     total or for the memory that Java may use
@@ -125,7 +125,7 @@ public final class ModelCollector {
     /**
      * The model.
      *
-     * @throws InputException when it has no triangle with an area
+     * @throws InputException when the model has no triangle with an area
      */
     public LoadedModel toModel() {
         if (triangles.size() == 0) {

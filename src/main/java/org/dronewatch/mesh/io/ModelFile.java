@@ -22,7 +22,7 @@ import org.dronewatch.setting.input.LinkOut;
 
 /**
  * A model file on disk or in the jar, and the files beside it. Only regular files of bounded size are read; a byte
- * order mark at their beginning is skipped.
+ * order mark at the beginning of a text is skipped.
  */
 public final class ModelFile {
     /** The largest model that is read, in bytes. */

@@ -16,7 +16,7 @@ import org.dronewatch.setting.PlainText;
 
 /**
  * Reads STL files, binary and text. The format states no unit: unless the scene states one, coordinates are taken as
- * metres, with a warning. It has no materials, and its normals have no effect.
+ * metres, with a warning. The format has no materials, and the normals in a file have no effect.
  */
 public final class StlReader implements MeshReader {
     private static final int HEADER = 80;

@@ -6,9 +6,9 @@ import org.dronewatch.geometry.Ints;
 import org.maplibre.earcut4j.Earcut;
 
 /**
- * Cuts polygons into triangles with the winding of the polygon. A polygon that is visible as a whole from its first
- * corner, such as a convex one, is cut into a fan from there; any other that does not cross itself is cut by ear
- * clipping in its plane.
+ * Cuts polygons into triangles with the winding of the polygon. A polygon of at most {@value #MOST_CORNERS_OF_A_FAN}
+ * corners that is visible as a whole from its first corner, such as a convex one, is cut into a fan from there; any
+ * other that does not cross itself is cut by ear clipping in its plane.
  */
 public final class PolygonCutter {
     /**
@@ -33,7 +33,8 @@ public final class PolygonCutter {
      * Appends the corners of the triangles: at most n - 2 triangles for a polygon of n corners.
      *
      * @param polygon vertex indices of its corners in turn, 3 or more
-     * @return whether they cover the polygon; false for one that crosses itself, which is also cut into a fan
+     * @return whether the triangles cover the polygon; false for one that crosses itself, which is cut into a fan all
+     *     the same
      */
     public boolean cut(int[] polygon, Ints target) {
         if (polygon.length == 3) {

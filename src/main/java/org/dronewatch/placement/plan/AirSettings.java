@@ -22,9 +22,9 @@ import org.dronewatch.setting.input.LinkOut;
  * of {@code coverage} with the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
- * @param weights by the name of a protected zone: the weight of each cell whose centre is in that zone, 0 to 1000.
- *     All other cells have a weight of 1, and a cell that lies in several of these zones has the greatest of their
- *     weights. Only for the objective {@code coverage}
+ * @param weights by the name of a protected zone, the weight of each cell whose centre is in that zone, 0 to 1000. All
+ *     other cells have a weight of 1, and a cell that lies in several of these zones has the greatest of their weights.
+ *     Only for the objective {@code coverage}
  * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by
  *     default. For {@code weakest-route}, the square is around the protected zone and, by default, as large as that of
  *     {@code route}
@@ -36,8 +36,8 @@ import org.dronewatch.setting.input.LinkOut;
  * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell counts
  *     on the heading towards the protected zone. {@code any} by default
  * @param conditions file of conditions, such as night or fog, in the directory of this file or below it, as for
- *     {@code coverage --conditions}: what counts is the coverage, the warning, or the exposure, under the worst of
- *     them, including the scene as it is
+ *     {@code coverage --conditions}: what counts is the coverage, the warning time, or the exposure, under the worst of
+ *     these conditions, including the scene as it is
  * @param pointing whether sensors on positioners have turned to the drone ({@code cued}) or search for it
  *     ({@code search}); {@code cued} by default, and {@code search} for {@code weakest-route}
  */
@@ -94,12 +94,12 @@ public record AirSettings(
         });
     }
 
-    /** The side of the square, m: that of {@code coverage} unless it is given. */
+    /** The side of the square, m; by default, that of {@code coverage}. */
     public double square() {
         return side.orElse(FieldGrid.DEFAULT_SIDE);
     }
 
-    /** The heights above the ground, m: those of {@code coverage} unless they are given. */
+    /** The heights above the ground, m; by default, those of {@code coverage}. */
     public List<Double> levels() {
         return heights.orElse(FieldGrid.HEIGHTS);
     }

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.dronewatch.world.World;
 
-/** Warns of candidates at which a sensor would see nothing because of where it is. */
+/** Warns of candidates whose sensors would detect nothing because of their positions. */
 public record CandidateAdvice(PlacePlan plan, World world) {
     private static final int NAMED = 3;
 

@@ -17,9 +17,10 @@ import org.dronewatch.sensor.DirectionFinding;
 import org.dronewatch.sensor.Mounted;
 
 /**
- * Which sensors cue the sensors on positioners. To count as turned to the drone, a sensor needs a cue from one that
- * measures directions: one of those that its positioner names or, if it names none, any other in the layout except
- * those on positioners that are themselves at rest until they are cued.
+ * Which sensors cue the sensors on positioners. To count as turned to the drone, a sensor on a positioner needs a cue
+ * from a sensor that measures directions: one of those that the settings of the positioner name or, if they name none,
+ * any other in the layout except sensors on positioners that are at rest until they are cued themselves. Sensors that
+ * are kept are cued only by those that their settings name.
  */
 public final class Cues {
     private final PlacePlan plan;
@@ -31,12 +32,17 @@ public final class Cues {
         this.isCued = plan.pointing() == FieldTerms.Turning.CUED;
     }
 
-    /** For each candidate on a positioner, by name: the candidates of which a layout with it must have at least one. */
+    /**
+     * By the name of each candidate on a positioner, the names of the candidates of which a layout with this candidate
+     * must have at least one; empty if sensors on positioners search instead.
+     */
     public Map<String, Set<String>> needed() {
         return cueing();
     }
 
-    /** The sensors of a layout that count as turned to the drone, though none of its sensors cues them. */
+    /**
+     * The names of the sensors of a layout that count as turned to the drone, though no sensor of the layout cues them.
+     */
     public List<String> uncued(List<SiteCandidate> layout) {
         Set<String> names = layout.stream().map(SiteCandidate::name).collect(Collectors.toSet());
         return cueing().entrySet().stream()
@@ -46,7 +52,7 @@ public final class Cues {
                 .toList();
     }
 
-    /** By the name of each sensor of a layout whose loss leaves others without a cue: the names of those others. */
+    /** By the name of each sensor of a layout whose loss leaves others without a cue, the names of those others. */
     public Map<String, List<String>> uncuedWithout(List<SiteCandidate> layout) {
         CandidateLosses losses = new CandidateLosses(
                 layout.stream().map(SiteCandidate::name).toList(), PlacementConditions.NONE.withNeedsOneOf(cueing()));

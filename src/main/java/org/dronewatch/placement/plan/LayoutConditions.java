@@ -12,7 +12,7 @@ import org.dronewatch.setting.Quantity;
  *
  * @param atMost maximum number of sensors in the layout, including those that are kept; no limit by default
  * @param fold number of sensors that must cover a cell for it to count, 1 to 10; 1 by default
- * @param anyoneLost what must remain covered after the loss of the sensor whose loss is worst
+ * @param anyoneLost what must remain after the loss of the sensor whose loss is worst; no requirement by default
  * @param base position of a base station, m: positions without a line of sight to it, as for a radio link, are left
  *     out; none by default
  */

@@ -12,7 +12,7 @@ import org.dronewatch.setting.Quantity;
  *
  * @param atLeast the least fraction of the airspace that must still be covered or, for {@code weakest-route}, the least
  *     probability with which the drone must still be detected on any route, 0 to 1
- * @param warning the shortest warning that must still be given, for {@code warning-time}, s
+ * @param warning the least warning time that must remain, for {@code warning-time}, s
  */
 public record LossSettings(
         @In(value = Quantity.RATIO, from = 0, to = 1) Optional<Double> atLeast,
@@ -39,7 +39,7 @@ public record LossSettings(
     }
 
     /**
-     * The time, s.
+     * The warning time, s.
      *
      * @throws InputException when another quantity is given, or none
      */

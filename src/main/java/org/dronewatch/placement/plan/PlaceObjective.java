@@ -6,6 +6,6 @@ public enum PlaceObjective {
     COVERAGE,
     /** The time from the first detection of a drone that flies straight in to its arrival at the protected zone. */
     WARNING_TIME,
-    /** The exposure on the least exposed route from the edge to the protected zone. */
+    /** The exposure on the least exposed route from the edge of the airspace to the protected zone. */
     WEAKEST_ROUTE
 }

@@ -20,8 +20,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param objective the quantity that is maximised: {@code coverage}; {@code warning-time}, the time from the first
  *     detection of the drone to its arrival at the protected zone; or {@code weakest-route}, the exposure on the least
  *     exposed route to that zone
- * @param warning the warning that is maximised for {@code warning-time}: the {@code worst} over all bearings and
- *     heights, or their {@code mean}; {@code worst} by default
+ * @param warning the warning time that is maximised for {@code warning-time}: the {@code worst} over all bearings and
+ *     heights, or the {@code mean}; {@code worst} by default
  * @param budget budget for all sensors except those that are kept, 0 to 1e12, in the currency of
  *     the scene's prices
  * @param candidates sensors that may be bought, by name; the names of such sensors in the layout begin with that name

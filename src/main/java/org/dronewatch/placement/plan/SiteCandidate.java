@@ -6,11 +6,11 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * A sensor with its position and aim.
  *
- * @param candidate its name, its price, the name of its offer as its kind, and the position that it occupies
- * @param sensor its settings
+ * @param candidate name and price of the sensor, the name of its offer as its kind, and the position that it occupies
+ * @param sensor settings of the sensor
  */
 public record SiteCandidate(Candidate candidate, SensorSettings<?> sensor) {
-    /** Its name in the layout. */
+    /** The name of the sensor in the layout. */
     public String name() {
         return candidate.name();
     }

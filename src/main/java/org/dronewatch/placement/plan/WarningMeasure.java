@@ -1,9 +1,9 @@
 package org.dronewatch.placement.plan;
 
-/** Which of the warnings of all flights counts. */
+/** Which of the warning times of all flights counts. */
 public enum WarningMeasure {
-    /** The shortest warning. */
+    /** The shortest warning time. */
     WORST,
-    /** The mean of all warnings. */
+    /** The mean of all warning times. */
     MEAN
 }

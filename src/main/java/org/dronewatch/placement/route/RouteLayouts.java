@@ -93,7 +93,7 @@ public final class RouteLayouts {
 
     /**
      * Whether the figures of a layout still hold for all routes that are known by now; if not, {@link #found} may find
-     * a better one.
+     * a better layout.
      *
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */

@@ -9,7 +9,8 @@ import org.dronewatch.placement.site.PlaceStep;
 import org.dronewatch.placement.site.PresentLayout;
 
 /**
- * Figures of parts of a layout, and of the scene's own sensors: for each, routes have to be searched for.
+ * Figures of parts of a layout, and of the scene's own sensors. For each of these figures, routes have to be searched
+ * for.
  *
  * @param alone by the name of each sensor, the value of a layout of that sensor alone; empty if it was not computed
  * @param withoutEach by the name of each sensor, the value without that sensor; empty if it was not computed

@@ -16,7 +16,7 @@ import org.dronewatch.placement.site.PresentLayout;
 
 /**
  * The best layout that was found against the weakest of all routes. Values are exposures on the least exposed route,
- * capped at {@link WeakestRouteSearch#ENOUGH}; under several conditions, that under the worst of them.
+ * capped at {@link WeakestRouteSearch#ENOUGH}; with several conditions, the exposure under the worst of them counts.
  *
  * @param plan what was asked for
  * @param grid the cells over which routes are searched for
@@ -28,7 +28,8 @@ import org.dronewatch.placement.site.PresentLayout;
  * @param parts figures of parts of the layout, and of the scene's own sensors
  * @param rounds number of layouts whose routes were searched for
  * @param routes number of routes that were compared
- * @param complete whether every candidate was assessed and the search ran to completion
+ * @param complete whether the search ran to completion and the computation of the figures of the parts, if any, was not
+ *     interrupted
  */
 public record RoutePlacement(
         PlacePlan plan,
@@ -140,7 +141,8 @@ public record RoutePlacement(
     }
 
     /**
-     * Whether this states the figures of its parts and of the scene's own sensors; also true if there are no sensors.
+     * Whether this placement states the figures of its parts and of the scene's own sensors; also true if there are no
+     * sensors.
      */
     public boolean isWithParts() {
         boolean isBare =

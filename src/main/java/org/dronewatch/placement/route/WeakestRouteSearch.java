@@ -24,7 +24,7 @@ import org.dronewatch.setting.InputException;
 
 /**
  * Finds the layout of a plan that makes the weakest route to the protected zone as exposed as possible, under the worst
- * of the plan's conditions: each candidate is assessed once by itself under each of them; then the search alternates
+ * of the plan's conditions. Each candidate is assessed once by itself under each condition; then the search alternates
  * between trying layouts against the known routes and looking for weaker routes past these layouts.
  */
 public final class WeakestRouteSearch {

@@ -18,8 +18,8 @@ public final class BuyingOrder {
     /**
      * An order.
      *
-     * @param price of a sensor
-     * @param value of some of the sensors, with those that are kept
+     * @param price price of a sensor, given by its number
+     * @param value value of some of the sensors, which include those that are kept
      * @param otherwise a second value of some of the sensors, which decides a tie; greater is better
      */
     public BuyingOrder(

@@ -35,7 +35,10 @@ public interface CheaperLayouts<L extends PlacedLayout> {
         return layout.value() > value;
     }
 
-    /** Adds what is stated only for the layout for the whole budget. */
+    /**
+     * A layout completed with the figures that are stated only for the whole budget, such as those of its parts; by
+     * default, the layout unchanged.
+     */
     default L described(L layout) {
         return layout;
     }

@@ -6,7 +6,7 @@ import org.dronewatch.placement.PlacementResult;
 import org.dronewatch.placement.PlacementSolver;
 import org.dronewatch.placement.SolverLimits;
 
-/** Layouts for less money that give the longest warnings. */
+/** Layouts for less money that give the longest warning times. */
 public final class CheaperWarnings implements CheaperLayouts<WarningPlacement> {
     private final WarningPlacement best;
     private final PlacementSolver solver;

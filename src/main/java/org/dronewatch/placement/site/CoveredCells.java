@@ -28,7 +28,7 @@ import org.dronewatch.setting.PlainText;
 
 /**
  * The airspace that each sensor covers: a row for each cell and each of eight headings, or for each cell and the
- * heading towards the protected zone; under several conditions, these rows are repeated for each of them. Cells that
+ * heading towards the protected zone; under several conditions, these rows are repeated for each condition. Cells that
  * are inside something solid, without ground below them or outside the area do not count. For use by one thread, which
  * may have {@link org.dronewatch.parallel.Workers}.
  */
@@ -50,7 +50,8 @@ public final class CoveredCells {
      *
      * @param stage stage of the plan's scene
      * @param store store of earlier assessments
-     * @throws InputException when the area is not one of the scene's zones, or there is no zone to fly to
+     * @throws InputException when the area is not one of the scene's zones, there is no zone to fly to, the cells are
+     *     too many, a zone with a weight contains no cell, or all cells have a weight of 0
      */
     public CoveredCells(PlacePlan plan, Stage stage, LayerStore store) {
         this.plan = plan;
@@ -111,7 +112,7 @@ public final class CoveredCells {
         return List.of(Course.inbound(InboundTarget.of(plan.present(), stage.protection(), grid)));
     }
 
-    /** The grid. */
+    /** The grid of the cells. */
     public FieldGrid grid() {
         return grid;
     }
@@ -199,8 +200,8 @@ public final class CoveredCells {
     }
 
     /**
-     * What each candidate covers, in the order of the plan; after an interruption, only of those that were assessed, at
-     * least one.
+     * What each candidate covers, in the order of the plan; after an interruption, only the columns of the candidates
+     * that were assessed, at least one.
      *
      * @param progress receives the number of cells that were assessed since the last call
      * @throws CancellationException when this thread is interrupted before the first candidate is assessed; its

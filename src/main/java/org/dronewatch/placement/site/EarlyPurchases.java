@@ -14,7 +14,7 @@ import org.dronewatch.placement.plan.SiteCandidate;
  * @param count number of purchases, 1 or more
  * @param afterLoss the value that remains after the worst loss, in the unit of the objective; empty unless it is too
  *     low
- * @param uncued the sensors bought so far that none of the others cues
+ * @param uncued names of the sensors bought so far that need a cue but get none from the others
  */
 public record EarlyPurchases(int count, OptionalDouble afterLoss, List<String> uncued) {
     /**

@@ -7,7 +7,8 @@ import java.util.Optional;
  * The best layout that was found for a budget, and how it differs from the one for the next lower budget.
  *
  * @param <L> a layout for some objective
- * @param budget the budget for which it was sought: the bound of the layout holds for all budgets up to this one
+ * @param budget the budget for which the layout was sought; the bound of the layout holds for all budgets up to this
+ *     one
  * @param layout the layout that was found; it may cost less
  * @param added names of the sensors that the previous layout does not have, in the order of the file; if there is no
  *     previous layout, all but those that are kept

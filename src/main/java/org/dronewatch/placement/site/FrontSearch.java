@@ -29,7 +29,8 @@ public final class FrontSearch<L extends PlacedLayout> {
     /**
      * A search whose values are printed.
      *
-     * @param text a value as it is printed: of several layouts whose values are printed alike, the cheapest is kept
+     * @param text converts a value to the text that is printed; of several layouts whose values are printed alike, the
+     *     cheapest is kept
      */
     public FrontSearch(CheaperLayouts<L> layouts, DoubleFunction<String> text) {
         this.layouts = layouts;
@@ -39,9 +40,9 @@ public final class FrontSearch<L extends PlacedLayout> {
 
     /**
      * Finds a layout for each budget on the {@link org.dronewatch.parallel.Workers} of the calling thread; the result
-     * does not depend on their number, unless the searches are stopped.
+     * does not depend on the number of workers, unless the searches are stopped.
      *
-     * @param budgets maximum number of budgets, including the whole budget, 1 to {@link #MOST}: those for which no
+     * @param budgets maximum number of budgets, including the whole budget, 1 to {@link #MOST}; budgets for which no
      *     layout complies with the conditions do not count
      * @param progress receives 1 for each budget; from any thread
      */

@@ -26,7 +26,7 @@ public final class Layout {
      * A scene with some sensors. All others of the scene are switched off rather than removed, so that those to which
      * a sensor refers still exist.
      *
-     * @param sensors by their names
+     * @param sensors the sensors that are enabled, by name
      */
     public static SceneSettings alone(SceneSettings scene, Map<String, SensorSettings<?>> sensors) {
         Map<String, SensorSettings<?>> all = new LinkedHashMap<>(scene.sensors());
@@ -37,8 +37,8 @@ public final class Layout {
     }
 
     /**
-     * The scene of a plan with only the sensors of a layout: it is consistent even if sensors of that scene refer to
-     * others.
+     * The scene of a plan with only the sensors of a layout enabled, so that it is consistent even if sensors of the
+     * scene refer to others.
      */
     public static SceneSettings alone(PlacePlan plan, List<SiteCandidate> chosen) {
         return alone(plan.present(), sensors(chosen));

@@ -10,12 +10,12 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The warnings of the best layout and those of the scene's own sensors, for the same flights, both as {@code coverage}
- * finds them.
+ * The warning times of the best layout and those of the scene's own sensors, for the same flights, both as
+ * {@code coverage} finds them.
  *
- * @param layout warnings of the layout
+ * @param layout warning times of the layout
  * @param settings the scene with only the layout's sensors
- * @param present warnings of the scene's own sensors; empty if it has none
+ * @param present warning times of the scene's own sensors; empty if the scene has none
  */
 public record LayoutWarnings(InboundWarnings layout, SceneSettings settings, Optional<InboundWarnings> present) {
     /**

@@ -4,7 +4,7 @@ package org.dronewatch.placement.site;
 public enum LeftOut {
     /** What the layout and the scene's own sensors cover at each height. */
     COVERAGE,
-    /** The warnings of the layout and of the scene's own sensors, by height. */
+    /** The warning times of the layout and of the scene's own sensors, by height. */
     WARNINGS,
     /** What parts of the layout and the scene's own sensors achieve, and the order in which to buy. */
     PARTS,

@@ -10,8 +10,8 @@ import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
- * The best layout that was found for a plan, with any objective. Values are in the unit of the objective, fractions,
- * times or exposures, and greater values are better.
+ * The best layout that was found for a plan, with any objective. Values are in the unit of the objective (fractions,
+ * times in s or exposures), and greater values are better.
  */
 public interface PlacedLayout {
     /** What was asked for. */

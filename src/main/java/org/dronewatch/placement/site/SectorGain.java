@@ -7,8 +7,8 @@ package org.dronewatch.placement.site;
  * @param bearing bearing of the centre of the sector, clockwise from north, rad
  * @param lowest lowest height above the ground, m
  * @param highest highest height above the ground, m
- * @param before what the other layout is worth there: the fraction that it covers, its warning in s, or the probability
- *     with which it detects the drone on the weakest route
+ * @param before what the other layout is worth there: the fraction that it covers, its warning time in s, or the
+ *     probability with which it detects the drone on the weakest route
  * @param after what this layout is worth there
  */
 public record SectorGain(double bearing, double lowest, double highest, double before, double after) {

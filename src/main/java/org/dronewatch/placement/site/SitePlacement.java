@@ -15,14 +15,14 @@ import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * The best layout that was found for a plan. Values are fractions of the airspace, that is, of the rows that
- * {@link CoveredCells} counts, by their weight.
+ * {@link CoveredCells} counts, weighted by the weights of their cells.
  *
  * @param plan what was asked for
  * @param grid the cells
  * @param headings number of headings on which each cell counts
  * @param rows the number of cells times the number of headings
  * @param problem the problem, whose rows have a mean weight of 1; under several conditions, the rows are repeated for
- *     each of them
+ *     each condition
  * @param result result of the search, in rows
  * @param zones the protected zones that have a weight, and all other cells; empty if no zone has one
  * @param assessed number of candidates that were assessed, the first ones of the plan

@@ -22,18 +22,18 @@ import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.plan.WarningMeasure;
 
 /**
- * The layout of a plan that gives the longest warning: the worst or the mean over straight inbound flights; a warning
- * is 0 if the drone is not detected before it arrives.
+ * The layout of a plan that gives the longest warning time, the worst or the mean over straight inbound flights. The
+ * warning time of a flight is 0 if the drone is not detected before it arrives.
  *
  * @param plan what was asked for
  * @param grid the cells; the length of their sides is the step of the flights
- * @param longest the longest warning that can be found, that of a flight detected where it begins, s
- * @param problem the problem, with a row for each flight under each condition; for the worst warning, its values are
- *     the amounts by which warnings are shorter than the longest
+ * @param longest the longest warning time that can be found, that of a flight detected where it begins, s
+ * @param problem the problem, with a row for each flight under each condition; for the worst warning time, its values
+ *     are the amounts by which warning times are shorter than the longest, s
  * @param result result of the search, in the unit of the values of the problem
  * @param assessed number of candidates that were assessed, the first ones of the plan
- * @param present the scene's own sensors and their warning, s; empty if it has none, or the search was interrupted
- *     before they were assessed
+ * @param present the scene's own sensors and their warning time, s; empty if the scene has none, or the search was
+ *     interrupted before they were assessed
  * @param complete whether every candidate and the scene's own sensors were assessed, and the search ran to completion
  */
 public record WarningPlacement(
@@ -52,7 +52,7 @@ public record WarningPlacement(
                 plan, grid, longest, problem, other, assessed, present, complete && other.complete());
     }
 
-    /** Which warning counts. */
+    /** Which warning time counts: the worst or the mean. */
     public WarningMeasure measure() {
         return plan.settings().warning();
     }
@@ -63,8 +63,8 @@ public record WarningPlacement(
     }
 
     /**
-     * The warning of each flight, by condition, by the sensor that counts: the first, or a later one that must confirm
-     * it, s.
+     * The warning time of each flight, by condition, by the sensor that counts: the first, or a later one that must
+     * confirm it, s.
      */
     double[] warnings(List<Integer> layout) {
         int fold = problem.conditions().fold();
@@ -84,7 +84,7 @@ public record WarningPlacement(
         return Arrays.stream(times).mapToDouble(its -> its[0]).toArray();
     }
 
-    /** The warning that the layout gives in the scene as it is, and under each condition, s. */
+    /** The warning time that the layout gives in the scene as it is, and under each condition, s. */
     private List<Double> inScenes() {
         double[] all = warnings(result.chosen());
         List<Double> values = new ArrayList<>();
@@ -114,26 +114,26 @@ public record WarningPlacement(
         return measure() == WarningMeasure.WORST ? longest - value : value;
     }
 
-    /** The warning that the layout gives, s. */
+    /** The warning time that the layout gives, s. */
     @Override
     public double value() {
         return seconds(result.value());
     }
 
-    /** The warning that no layout exceeds, s. */
+    /** The warning time that no layout exceeds, s. */
     @Override
     public double bound() {
         return seconds(result.bound());
     }
 
-    /** The warning that some candidates give, by their numbers, s. */
+    /** The warning time that some candidates give, by their numbers, s. */
     private double warning(List<Integer> candidates) {
         return seconds(problem.value(candidates));
     }
 
     /**
-     * The number of flights for which the layout gives some warning before the drone arrives, under every condition:
-     * enough of its sensors detect the drone.
+     * The number of flights on which, under every condition, enough sensors of the layout detect the drone before it
+     * arrives.
      */
     public long detected() {
         int[] counts = new int[problem.table().rows()];
@@ -150,14 +150,14 @@ public record WarningPlacement(
                 .count();
     }
 
-    /** The warning that a sensor of the layout gives by itself, s. */
+    /** The warning time that a sensor of the layout gives by itself, s. */
     @Override
     public OptionalDouble alone(SiteCandidate sensor) {
         PlacementProblem once = new PlacementProblem(problem.table(), problem.objective(), PlacementConditions.NONE);
         return OptionalDouble.of(seconds(once.value(List.of(plan.candidates().indexOf(sensor)))));
     }
 
-    /** The warning that remains without each of the sensors, by their names, in the order of the file, s. */
+    /** The warning time that remains without each of the sensors, by their names, in the order of the file, s. */
     @Override
     public Map<String, Double> withoutEach() {
         Map<String, Double> remaining = new LinkedHashMap<>();
@@ -179,7 +179,7 @@ public record WarningPlacement(
         return EarlyPurchases.of(this, problem, this::seconds);
     }
 
-    /** {@inheritDoc} Where the shortest warning is the same, the sum of all warnings counts. */
+    /** {@inheritDoc} Where the shortest warning time is the same, the sum of all warning times counts. */
     @Override
     public List<PlaceStep> purchases() {
         return new BuyingOrder(

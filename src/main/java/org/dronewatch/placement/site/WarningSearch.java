@@ -29,7 +29,9 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Quantity;
 
-/** Finds the layout of a plan that gives the longest warning of drones that fly straight to the protected zone. */
+/**
+ * Finds the layout of a plan that gives the longest warning time for drones that fly straight to the protected zone.
+ */
 public final class WarningSearch {
     private final PlacePlan plan;
     private final ConditionedFlights flights;
@@ -97,7 +99,7 @@ public final class WarningSearch {
     }
 
     /**
-     * The warnings of a layout, to be compared with those of the scene's own sensors.
+     * The warning times of a layout, to be compared with those of the scene's own sensors.
      *
      * @param progress receives the number of cells that were assessed since the last call
      * @return empty if the layout has no sensor, or this thread is interrupted; it then stays interrupted

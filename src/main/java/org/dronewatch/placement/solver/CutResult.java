@@ -4,7 +4,7 @@ import org.dronewatch.placement.PlacementProblem;
 import org.dronewatch.placement.PlacementResult;
 
 /**
- * The best layout against rows that an oracle found.
+ * The best layout for the rows, for instance routes, that an oracle has found so far (cutting-plane method).
  *
  * @param problem the problem with all rows that were found
  * @param result the result, whose value is that in the weakest of these rows; the bound holds for all rows, found or

@@ -18,7 +18,7 @@ public final class Canvas {
     /** Distance along the camera's axis, m; infinity for the sky. */
     public final float[] depth;
 
-    /** Number of the world's triangle, or {@link #NOTHING}. */
+    /** Index of the world's triangle that each pixel shows, or {@link #NOTHING}. */
     public final int[] triangle;
 
     public Canvas(int width, int height) {
@@ -49,7 +49,7 @@ public final class Canvas {
         rgb[pixel] = mix(rgb[pixel], colour, share);
     }
 
-    /** A colour between two, closer to the second the larger the fraction. */
+    /** A colour between two: the first for the fraction 0, the second for 1. */
     public static int mix(int below, int above, double share) {
         int weight = (int) (share * 256.0 + 0.5);
         int r = (below >> 16 & 255) * (256 - weight) + (above >> 16 & 255) * weight >> 8;
@@ -58,7 +58,9 @@ public final class Canvas {
         return r << 16 | g << 8 | b;
     }
 
-    /** The picture, each of its pixels the mean of a square of pixels of this canvas. */
+    /**
+     * The picture, each of its pixels the mean of a square of pixels of this canvas with the given number along a side.
+     */
     public BufferedImage toImage(int samples) {
         BufferedImage image = new BufferedImage(width / samples, height / samples, BufferedImage.TYPE_INT_RGB);
         int[] target = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
@@ -86,7 +88,7 @@ public final class Canvas {
         return image;
     }
 
-    /** This canvas at a smaller size: colours are means, depths those of the nearest. */
+    /** This canvas at a smaller size: colours are means, depths and triangles those of the nearest pixel. */
     public Canvas shrunk(int columns, int rows) {
         int samples = width / columns;
         Canvas small = new Canvas(columns, rows);

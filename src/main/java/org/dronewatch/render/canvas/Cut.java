@@ -35,7 +35,10 @@ public record Cut(Position normal, double offset) {
         return depth(point.x(), point.y(), point.z()) <= 0.0;
     }
 
-    /** Scalar product of a vector with the normal: how far the vector leads beyond the plane. */
+    /**
+     * Scalar product of a vector with the normal: by how much the depth of a point grows when it is moved by the
+     * vector, m.
+     */
     public double rate(double dx, double dy, double dz) {
         return normal.x() * dx + normal.y() * dy + normal.z() * dz;
     }

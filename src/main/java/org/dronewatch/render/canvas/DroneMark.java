@@ -8,8 +8,8 @@ import org.dronewatch.geometry.Position;
  * A drone as drawn in a view.
  *
  * @param drone the drone as it is now
- * @param flown its path up to now
- * @param toCome its path from now on
+ * @param flown path of the drone up to now
+ * @param toCome path of the drone from now on
  * @param detected whether a sensor detects it now
  */
 public record DroneMark(Drone drone, List<Position> flown, List<Position> toCome, boolean detected) {

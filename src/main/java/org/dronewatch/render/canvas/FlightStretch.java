@@ -11,10 +11,10 @@ import org.dronewatch.run.Stage;
 /**
  * A part of a drone's flight during which the same sensors detect it.
  *
- * @param drone its name
+ * @param drone name of the drone
  * @param from when the part begins, seconds since the start of the run
- * @param path from its beginning to its end, m
- * @param sensors those that detect the drone, in the order of the scene; empty if none does
+ * @param path positions from the beginning of the part to its end, m
+ * @param sensors names of the sensors that detect the drone, in the order of the scene; empty if none does
  */
 public record FlightStretch(String drone, double from, List<Position> path, List<String> sensors) {
     /** The flight of a whole run has at least this number of points. */

@@ -45,7 +45,7 @@ public final class Flights {
         }
     }
 
-    /** A drone as it is at a time, with its path. */
+    /** A drone at a time, with its path until then and from then on. */
     public synchronized DroneMark mark(Drone drone, double time, boolean detected) {
         sample();
         List<Position> path = positions.get(drone.id());

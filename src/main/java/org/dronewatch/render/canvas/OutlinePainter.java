@@ -17,7 +17,8 @@ public final class OutlinePainter {
     /**
      * A painter of one picture.
      *
-     * @param length the greatest length to which frustums and sectors are drawn, m; they have no natural end
+     * @param length the greatest length to which frustums are drawn, m; sectors are drawn up to three times as far, and
+     *     neither beyond its range
      */
     public OutlinePainter(LinePainter lines, double length) {
         this.lines = lines;

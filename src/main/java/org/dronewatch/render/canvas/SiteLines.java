@@ -26,7 +26,7 @@ public record SiteLines(List<Line> lines, Map<String, Color> legend) {
     /**
      * A line.
      *
-     * @param words written at its beginning
+     * @param words label written at its beginning
      * @param pieces from its beginning to its end, at least one
      */
     public record Line(String words, List<Piece> pieces) {
@@ -40,8 +40,8 @@ public record SiteLines(List<Line> lines, Map<String, Color> legend) {
      * A piece of a line.
      *
      * @param points two or more, m
-     * @param colour its colour
-     * @param width its width, in pixels of a screen of normal density
+     * @param colour colour of the piece
+     * @param width width of the piece, in pixels of a screen of normal density
      */
     public record Piece(List<Position> points, Color colour, double width) {
         /** Copies the list. */
@@ -55,7 +55,7 @@ public record SiteLines(List<Line> lines, Map<String, Color> legend) {
         return lines.isEmpty();
     }
 
-    /** Writes the words of each line at its beginning. */
+    /** Writes the label of each line at its beginning. */
     public void write(Symbols symbols) {
         lines.forEach(line -> symbols.note(line.pieces().get(0).points().get(0), line.words()));
     }

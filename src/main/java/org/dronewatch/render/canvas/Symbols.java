@@ -173,7 +173,7 @@ public final class Symbols {
         name(x, y, mark.drone().id(), hidden, selected);
     }
 
-    /** Marks a point of a flight with a dot and writes words beside it. */
+    /** Marks a point of a flight with a dot and writes a text beside it. */
     public void note(Position at, String words) {
         if (!project(at)) {
             return;

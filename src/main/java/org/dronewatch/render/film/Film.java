@@ -73,7 +73,7 @@ public record Film(double from, double to, int fps, double speed) {
     /**
      * Simulated time that a frame shows, s.
      *
-     * @param frame its index, from 0
+     * @param frame index of the frame, from 0
      */
     public double time(int frame) {
         // From the index: adding up intervals drifts.

@@ -29,7 +29,7 @@ public final class FilmMaker {
         this.pictures = pictures;
     }
 
-    /** The times that it shows. */
+    /** The start, end, frame rate and playback speed of the video. */
     public Film film() {
         return film;
     }

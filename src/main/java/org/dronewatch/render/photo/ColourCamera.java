@@ -14,8 +14,8 @@ import org.dronewatch.world.World;
 /**
  * Takes photographs as a camera would: the colours of the materials, Lambert's cosine law and shadows for the sun,
  * light from the sky, and haze by Koschmieder's law, all according to the world's {@link org.dronewatch.world.Light}.
- * Surfaces are matt; drones cast no shadows. Detection does not depend on it: sensors count the pixels whose centres
- * show the drone, independently of these pictures.
+ * Surfaces are matt; drones cast no shadows. Detection does not depend on these pictures: sensors count the pixels
+ * whose centres show the drone.
  *
  * <p>The site without drones is rendered once and kept, so further pictures of a camera that does not move are cheap.
  * The pixels are the same for any number of {@link Workers}. Not thread-safe.

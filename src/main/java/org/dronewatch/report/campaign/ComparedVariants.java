@@ -3,7 +3,7 @@ package org.dronewatch.report.campaign;
 import java.util.List;
 import org.dronewatch.campaign.outcome.CampaignSummary;
 
-/** Compares the variants of a campaign as a part of a report on something else. */
+/** Compares the variants of a campaign, for a section of a report on another subject. */
 public final class ComparedVariants {
     private final CampaignSummary summary;
     private final PairWords pairs;

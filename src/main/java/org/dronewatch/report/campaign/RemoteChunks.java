@@ -43,7 +43,7 @@ public final class RemoteChunks {
      * Reads the bytes of a chunk.
      *
      * @param cases the cases of the campaign, or those that show which settings matter
-     * @return the results, by case, then variant
+     * @return the results, ordered by case, then by variant
      * @throws IllegalStateException when the bytes are not those of this chunk
      */
     public List<CaseResult> read(Cases cases, int chunk, byte[] bytes) {

@@ -10,8 +10,9 @@ import org.dronewatch.sensor.Cause;
 
 /**
  * How causes look on a map. The colours are from the palette of Okabe and Ito ("Color Universal Design", 2008), which
- * people with any kind of colour vision can distinguish; patterns distinguish them in black and white. Every cause
- * except {@link Cause#DETECTED} has a pattern, since lightness alone does not identify a colour on a shaded slope.
+ * people with any kind of colour vision can distinguish; patterns distinguish the causes in black and white. Every
+ * cause except {@link Cause#DETECTED} has a pattern, since lightness alone does not identify a colour on a shaded
+ * slope.
  */
 public final class CauseFills {
     private static final Color LIGHT_BLUE = new Color(0x9fd3f2);
@@ -28,7 +29,7 @@ public final class CauseFills {
     private static final double LINE_STRENGTH = 0.95;
     private static final int PERIOD = 8;
 
-    /** A cell inside something solid: its ground, darkened. */
+    /** The fill of a cell inside something solid: the ground, darkened. */
     public static final MapSheet.Fill INSIDE = (u, v, ground) -> ColourMix.of(ground, DARK, LINE_STRENGTH);
 
     /** A cell outside the area that counts: its ground, paler. */

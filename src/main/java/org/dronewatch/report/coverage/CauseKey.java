@@ -7,7 +7,7 @@ import org.dronewatch.sensor.Cause;
 public final class CauseKey {
     private CauseKey() {}
 
-    /** The key of a cause: {@code hidden-by-terrain}. */
+    /** The key of a cause, such as {@code hidden-by-terrain}. */
     public static String of(Cause cause) {
         return cause.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

@@ -12,8 +12,9 @@ import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.sensor.Cause;
 
 /**
- * Shows what one layout of sensors covers at a height and another does not, in the colours of the map of causes and
- * with patterns that distinguish them in black and white; what both cover is plain.
+ * Shows which cells at one height are gained and which are lost from one layout of sensors to another. The colours are
+ * those of the map of causes; patterns distinguish gained from lost cells in black and white, and cells that both
+ * layouts cover have no pattern.
  */
 public final class ChangeMap {
     private static final Color GREEN = new Color(0x009e73);
@@ -56,8 +57,8 @@ public final class ChangeMap {
     /**
      * The map of the height with the given index.
      *
-     * @param before coverage of one layout
-     * @param after coverage of the other in the same cells
+     * @param before coverage of the first layout
+     * @param after coverage of the second layout in the same cells
      */
     public ChangeMap(FieldCoverage before, FieldCoverage after, int height) {
         this.before = before;

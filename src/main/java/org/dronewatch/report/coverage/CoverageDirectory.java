@@ -40,7 +40,8 @@ public final class CoverageDirectory implements AutoCloseable {
 
     /**
      * Writes all files, on the {@link org.dronewatch.parallel.Workers} of the calling thread. If the survey was
-     * interrupted, writes the complete files, without the report, and removes the other files of an earlier survey.
+     * interrupted, writes only the files that are complete, without the report, and removes the other files of an
+     * earlier survey.
      *
      * @param site the scene that was assessed
      * @param provenance origin of the results, as names and values

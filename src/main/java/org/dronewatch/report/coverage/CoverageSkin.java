@@ -10,8 +10,8 @@ import org.dronewatch.render.SiteSkin;
 import org.dronewatch.report.sheet.MapSheet;
 
 /**
- * The coverage at one height, laid over ground and roofs in the colours and patterns of the map of causes. Cells that
- * are lost without the sensors that are switched off are crossed out. Immutable.
+ * An overlay (skin) that shows the coverage at one height on ground and roofs, in the colours and patterns of the map
+ * of causes. Cells whose coverage is lost because sensors are switched off are crossed out. Immutable.
  */
 public final class CoverageSkin implements SiteSkin {
     private static final int SWATCH_WIDTH = 24;
@@ -31,14 +31,14 @@ public final class CoverageSkin implements SiteSkin {
      * An entry of the legend.
      *
      * @param swatch an example of the colour and the pattern
-     * @param words what it means, with its fraction
+     * @param words what the colour means, with its fraction of the known cells
      */
     public record LegendEntry(BufferedImage swatch, String words) {}
 
-    /** A cell of the skin, by its column from the west and its row from the north. */
+    /** A cell of the overlay, by column from the west and row from the north, both from 0. */
     public record SkinCell(int column, int row) {}
 
-    /** The skin for one height. */
+    /** The overlay for the height of the given coverage. */
     public CoverageSkin(RemainingCoverage remaining) {
         this.grid = remaining.rest().field().grid();
         this.shown = new CauseLegend(

@@ -18,7 +18,10 @@ import org.dronewatch.report.sheet.ReliefShade;
 import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.In;
 
-/** The map of the warning times of straight inbound flights: where the flights begin, and a line for each height. */
+/**
+ * The map of the warning times of straight inbound flights: where the flights begin and, in a line for each height,
+ * where the drone is first detected.
+ */
 public final class WarningMap {
     private static final Color START = Color.GRAY;
 
@@ -35,11 +38,11 @@ public final class WarningMap {
     }
 
     /**
-     * The sheet with a line for each height that shows where straight inbound flights are first detected, and where
-     * they must be detected for the response to be in time.
+     * The sheet with a line for each height that shows where straight inbound flights are first detected; the legend
+     * states the shortest warning time at each height.
      *
-     * @param grid of the other maps
-     * @param ground of that grid, as {@link MapSheet#ground} returns it
+     * @param grid the grid of the other maps
+     * @param ground the ground of that grid, as {@link MapSheet#ground} returns it
      */
     public MapSheet sheet(FieldGrid grid, int[] ground, InboundWarnings warnings) {
         FieldGrid shown = showsAll(grid, warnings) ? grid : around(warnings);

@@ -16,7 +16,7 @@ import org.dronewatch.report.html.Html;
 public final class WarningWords {
     private final InboundWarnings warnings;
 
-    /** The words for some warnings. */
+    /** The words for the warning times of inbound flights. */
     public WarningWords(InboundWarnings warnings) {
         this.warnings = warnings;
     }
@@ -112,7 +112,7 @@ public final class WarningWords {
                 : time(least) + " from " + least.directions();
     }
 
-    /** The worst warning of all heights, and whether all are in time. */
+    /** The shortest warning time over all heights, and whether all warnings are in time, in sentences. */
     public String worstInWords() {
         LeastWarning worst = least(warnings.all());
         String zone = warnings.isZone() ? "the protected zone" : "the centroid of the sensors";

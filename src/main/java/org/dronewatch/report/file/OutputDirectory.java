@@ -14,9 +14,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * A directory of results whose files appear all at once: they are written into a directory beside it and, at the end,
- * moved into it, either all of them or none. Whatever else the target holds stays as it is. One run at a time may write
- * into a target.
+ * A directory of results, the target, whose files appear all at once: they are first written into a temporary directory
+ * and, at the end, moved into the target, either all of them or none. Whatever else the target holds is left unchanged.
+ * Only one run at a time may write into a target.
  */
 public final class OutputDirectory implements AutoCloseable {
     private static final Pattern LABEL = Pattern.compile("labels[/\\\\](run-\\d+[/\\\\])?[\\w-]+[/\\\\]\\d{6}\\.png");
@@ -35,10 +35,10 @@ public final class OutputDirectory implements AutoCloseable {
     }
 
     /**
-     * Creates the directory to write into, so that a target that cannot be written is detected before the work begins.
-     * Anything that a killed run left there is removed.
+     * Creates the temporary directory, so that a target that cannot be written is detected before the work begins.
+     * Anything that a killed run left in it is removed.
      *
-     * @throws InputException when the target is a file, cannot be written, or another run is writing into it
+     * @throws InputException when the target is a file or cannot be written, or when another run is writing into it
      */
     public OutputDirectory(Path given) {
         this.asked = "output directory " + PlainText.value(given);
@@ -91,7 +91,7 @@ public final class OutputDirectory implements AutoCloseable {
         }
     }
 
-    /** A write error as shown to the user. */
+    /** The exception that reports a problem to the user; a write error is described in one line. */
     public RuntimeException refusal(Exception problem) {
         return Refusal.of(asked, problem);
     }
@@ -103,15 +103,15 @@ public final class OutputDirectory implements AutoCloseable {
         return file;
     }
 
-    /** The files that were written in a folder of the directory so far, in the order of their names. */
+    /** The files that have been written into a folder of the directory so far, in the order of their names. */
     public List<Path> filesIn(String folder) throws IOException {
         Path directory = fresh.resolve(folder);
         return Files.isDirectory(directory) ? filesIn(directory) : List.of();
     }
 
     /**
-     * The labels that an earlier run left in the target: pictures by the names that runs give them, and
-     * {@code coco.json}.
+     * The label files that an earlier run left in the target, as paths within it: {@code coco.json}, and the pictures
+     * with names as runs give them; empty without {@code coco.json}.
      */
     public List<String> formerLabels() throws IOException {
         Path pictures = target.resolve(Labels.PICTURES);
@@ -149,8 +149,8 @@ public final class OutputDirectory implements AutoCloseable {
     /**
      * Moves all written files into place; if one cannot be moved, none is.
      *
-     * @param obsolete files of an earlier run, which are removed unless they were written anew, together with folders
-     *     that held nothing else
+     * @param obsolete files of an earlier run, as paths within the target, which are removed unless they were written
+     *     anew, together with folders that held nothing else
      */
     public void publish(List<String> obsolete) throws IOException {
         Moves moves = new Moves();
@@ -180,7 +180,7 @@ public final class OutputDirectory implements AutoCloseable {
         }
     }
 
-    /** Removes unpublished files. */
+    /** Removes unpublished files, and lets other runs write into the target. */
     @Override
     public void close() {
         lock.close();

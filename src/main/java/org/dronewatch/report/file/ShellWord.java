@@ -15,7 +15,7 @@ public final class ShellWord {
 
     private ShellWord() {}
 
-    /** The word, in quotation marks if it has characters that shells may take for something else. */
+    /** The word, in quotation marks if it contains characters that have a special meaning in some shells. */
     public static String of(String word) {
         String plain = PlainText.lines(word);
         if (PLAIN.matcher(plain).matches()) {
@@ -26,7 +26,10 @@ public final class ShellWord {
         return hasMeaning ? "'" + plain.replace("'", "'\\''") + "'" : '"' + plain + '"';
     }
 
-    /** A path as it is typed in the current directory: relative to it if it leads to it or below it. */
+    /**
+     * A path as it is typed in the current directory: relative if it leads to this directory or below it, otherwise as
+     * given.
+     */
     public static String of(Path path) {
         Path here = Path.of("").toAbsolutePath().normalize();
         Path absolute = path.toAbsolutePath().normalize();

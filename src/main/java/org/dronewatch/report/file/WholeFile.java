@@ -29,19 +29,19 @@ public final class WholeFile {
     /** Writes the file's contents. */
     @FunctionalInterface
     public interface Content {
-        /** Writes all of it, without closing the stream. */
+        /** Writes all contents, without closing the stream. */
         void writeTo(OutputStream stream) throws IOException;
     }
 
     /** Writes the file's contents, where a library needs a file rather than a stream. */
     @FunctionalInterface
     public interface FileContent {
-        /** Writes all of it into a new, empty file. */
+        /** Writes all contents into a new, empty file. */
         void writeTo(Path partial) throws IOException;
     }
 
     /**
-     * An output file, of which nothing is written yet.
+     * An output file; nothing is written yet.
      *
      * @param option name of the option or setting in messages, such as {@code --out}
      * @param name the file's path as the user wrote it
@@ -81,7 +81,7 @@ public final class WholeFile {
      * This file, provided that it does not contain the work of a person or of another command. Links are resolved, so
      * that two names of the same file are one target, as with a directory of results.
      *
-     * @param firstLine first line of a file that may be replaced
+     * @param firstLine matches the first line of a file that may be replaced
      * @param writer name, in messages, of the command that writes such files, such as {@code 'save'}
      * @throws InputException when there is a file that may not be replaced
      */
@@ -126,7 +126,7 @@ public final class WholeFile {
     /**
      * Writes the file; an older one is replaced.
      *
-     * @throws InputException if writing fails; the older file is then as it was
+     * @throws InputException if writing fails; the older file is then unchanged
      */
     public void write(Content content) {
         writeFile(partial -> writeTo(partial, content));
@@ -144,9 +144,9 @@ public final class WholeFile {
     }
 
     /**
-     * Writes the file; an older one is replaced. If the content throws anything, the older file is unchanged.
+     * Writes the file; an older one is replaced. If {@code content} throws anything, the older file is unchanged.
      *
-     * @throws InputException if writing fails; the older file is then as it was
+     * @throws InputException if writing fails; the older file is then unchanged
      */
     public void writeFile(FileContent content) {
         // Not a temporary file of the library, which other users cannot read.

@@ -7,7 +7,10 @@ import org.dronewatch.mesh.io.ModelRole;
 public final class BlockerWords {
     private BlockerWords() {}
 
-    /** The name of a building on its map, or the file of the model; empty for a model without a file. */
+    /**
+     * The name of a building in quotation marks, or its identifier on the map; for anything else, the file of the
+     * model, empty for a model without a file.
+     */
     public static String name(Blocker blocker) {
         String file = blocker.obstacle().model().file();
         return blocker.building()

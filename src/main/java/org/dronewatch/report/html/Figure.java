@@ -6,10 +6,10 @@ import java.io.IOException;
 import javax.imageio.ImageIO;
 
 /**
- * A figure of the report.
+ * A figure of a report.
  *
  * @param caption what it shows
- * @param png the image
+ * @param png the image as PNG
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record Figure(String caption, byte[] png) {

@@ -41,7 +41,7 @@ public final class Html {
         return "<div class=\"wide\">" + table + "</div>\n";
     }
 
-    /** A table of two columns without a header row: names and what they represent. */
+    /** A table of two columns without a header row: names, and a text for each. */
     public static String definitions(Map<String, String> texts) {
         StringBuilder rows = new StringBuilder();
         texts.forEach((name, text) ->
@@ -49,7 +49,7 @@ public final class Html {
         return "<div class=\"wide\">" + element("table", element("tbody", rows.toString())) + "</div>\n";
     }
 
-    /** A section that a reader can expand; a printout always shows it. */
+    /** A section that a reader can expand; a printout always shows its contents. */
     public static String fold(String summary, String inside, boolean open) {
         return "<details" + (open ? " open=\"open\"" : "") + ">\n<summary>" + text(summary) + "</summary>\n" + inside
                 + "</details>\n";

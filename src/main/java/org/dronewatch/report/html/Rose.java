@@ -52,7 +52,7 @@ public final class Rose {
                 WIDTH, HEIGHT, Html.text(label)));
     }
 
-    /** The short name of one of the eight principal compass points, counted clockwise from north. */
+    /** The short name of one of the eight principal compass points, counted clockwise from 0 at north. */
     public static String name(int sector) {
         return NAMES[sector];
     }

@@ -40,9 +40,9 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
      * @param option name of the list of cameras in messages, such as {@code --labels}
      * @param chosen ids of cameras
      * @param runs the settings of all runs
-     * @throws InputException when a chosen id is not that of a camera of the scene that takes pictures in visible
-     *     light, or that camera is switched off or named twice; or when there are more than {@link #MOST_PICTURES}
-     *     pictures or {@link #MOST_PIXELS} pixels
+     * @throws InputException when a chosen id does not belong to a camera of the scene that takes pictures in visible
+     *     light, when a chosen camera is switched off or named twice, or when there are more pictures than {@link
+     *     #MOST_PICTURES} or more pixels than {@link #MOST_PIXELS}
      */
     public static LabelPlan of(String option, List<String> chosen, int samples, List<SceneSettings> runs) {
         SceneSettings first = runs.get(0);

@@ -27,8 +27,9 @@ import tools.jackson.databind.node.ObjectNode;
 
 /**
  * Writes each look of some cameras as a picture, and the drones in them as {@code coco.json}, in the COCO
- * object-detection format: one annotation for each drone with at least one hit, whose mask consists of the sensor's
- * hits. Looks are written during the run; numbers follow the order of runs, cameras, looks and drones.
+ * object-detection format: one annotation for each drone that at least one pixel shows, with a mask of the pixels that
+ * the sensor counts as showing the drone. Looks are written during the run; the numbers of images and annotations
+ * follow the order of runs, cameras, looks and drones.
  */
 public final class Labels implements AutoCloseable {
     /** Name of the file with all annotations. */
@@ -80,7 +81,7 @@ public final class Labels implements AutoCloseable {
         }
     }
 
-    /** Writes the looks of the cameras in a frame. */
+    /** Writes the pictures of those cameras that have a look at the time of a frame. */
     public void observed(Frame frame) throws IOException {
         for (int i = 0; i < cameras.size(); i++) {
             LabelledCamera camera = cameras.get(i);

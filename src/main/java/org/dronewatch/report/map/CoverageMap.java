@@ -33,7 +33,7 @@ public final class CoverageMap {
      * How a cause is shown.
      *
      * @param name of the cause, in words
-     * @param colour the colour of its areas
+     * @param colour the colour of the areas with this cause
      */
     public record CauseStyle(String name, Color colour) {}
 
@@ -41,7 +41,7 @@ public final class CoverageMap {
      * A map.
      *
      * @param scene name of the scene
-     * @param styles of the causes
+     * @param styles the style of each cause
      */
     public CoverageMap(FieldCoverage coverage, String scene, Origin origin, Function<Cause, CauseStyle> styles) {
         this.coverage = coverage;

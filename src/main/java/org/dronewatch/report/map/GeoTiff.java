@@ -35,9 +35,9 @@ import javax.imageio.stream.ImageOutputStream;
 import org.dronewatch.geo.Origin;
 
 /**
- * Writes square grids as GeoTIFF 1.1 (OGC 19-008r4) with one band, compressed by deflate: classes with a palette,
- * numbers and counts. TIFF has no names for classes, so they go into a file beside the image, where GDAL and QGIS find
- * them. Equal grids give the same bytes.
+ * Writes square grids as GeoTIFF 1.1 (OGC 19-008r4) with one band, compressed by deflate, of classes with a palette, of
+ * numbers, or of counts. TIFF cannot name classes, so their names go into a file beside the image, where GDAL and QGIS
+ * find them. Equal grids give the same bytes.
  */
 public final class GeoTiff {
     /** The number that marks cells without a class. */

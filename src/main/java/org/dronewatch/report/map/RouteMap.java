@@ -9,8 +9,8 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.geometry.Position;
 
 /**
- * A map of routes for map viewers: lines in the colour of the exposure on them, in a folder for each route. Longitude
- * and latitude (WGS 84) are in degrees; the bytes depend only on the routes.
+ * A map of routes for map viewers: lines coloured by exposure, in a folder for each route. Longitude and latitude (WGS
+ * 84) are in degrees; the bytes depend only on the routes.
  */
 public final class RouteMap {
     private final String scene;
@@ -23,11 +23,11 @@ public final class RouteMap {
      *
      * @param route name of the route and of its folder
      * @param exposure the exposure on the piece, in words
-     * @param mode the mode in which it is flown
+     * @param mode the mode in which the piece is flown
      * @param points two or more, m
-     * @param colour of its line
-     * @param begin when the drone is at its first point, s
-     * @param end when it is at its last, s
+     * @param colour of the line
+     * @param begin when the drone is at the first point, s since the start of the route
+     * @param end when the drone is at the last point, s since the start of the route
      * @param detection probability that the drone has been detected by the end of the piece, 0 to 1
      */
     public record Piece(

@@ -29,7 +29,7 @@ public final class SiteMap {
     }
 
     /**
-     * The map of a result's first run; empty unless its scene states the geographic position of its origin.
+     * The map of a result's first run; empty unless the scene states the geographic position of its origin.
      *
      * @param stage the site of that run
      */

@@ -1,2 +1,2 @@
-/** Map files of a run's results: GeoJSON and KML, georeferenced by the scene's origin. */
+/** Map files of results: GeoJSON, KML and GeoTIFF, georeferenced by the scene's origin. */
 package org.dronewatch.report.map;

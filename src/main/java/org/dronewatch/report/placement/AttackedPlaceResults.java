@@ -18,9 +18,10 @@ import tools.jackson.databind.node.ObjectNode;
  * attacks.
  *
  * @param found what the search found
- * @param plan the campaign: its variants are the layouts
+ * @param plan the campaign, whose variants are the layouts
  * @param result the results of the campaign
- * @param again what follows the layout in the {@code compare} command that reproduces the figures of the campaign
+ * @param again the arguments that follow the layout in the {@code compare} command that reproduces the figures of the
+ *     campaign
  */
 public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, CampaignResult result, String again)
         implements FoundPlaceResults {

@@ -16,8 +16,8 @@ import tools.jackson.databind.node.ObjectNode;
  * What a search for the placement with the most coverage found.
  *
  * @param front best layouts for several budgets
- * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search
- *     was interrupted, or its time was up, before they were computed
+ * @param fields coverage of the layout and of the scene's own sensors; empty if the layout has no sensor, or if the
+ *     search was interrupted or its time was up before the coverage was computed
  */
 public record CoveragePlaceResults(BudgetFront<SitePlacement> front, Optional<LayoutFields> fields)
         implements PlaceResults {

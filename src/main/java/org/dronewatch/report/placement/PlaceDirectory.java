@@ -47,7 +47,7 @@ public final class PlaceDirectory implements AutoCloseable {
      * Makes sure that the directory can be written, before the work begins.
      *
      * @param placement placement file
-     * @param plan its plan
+     * @param plan the plan in that file
      * @throws InputException when it cannot be written, holds the results of another command, or holds an input of the
      *     search that would be replaced
      */
@@ -77,7 +77,8 @@ public final class PlaceDirectory implements AutoCloseable {
      * @param provenance origin of the results
      * @param threads number of worker threads
      * @param notes receives a line on what could not be written
-     * @return the file in which the layout is written as a scene, as a word of a command line; empty if it is not
+     * @return the file in which the layout is written as a scene, as a word of a command line; empty if no scene is
+     *     written
      * @throws InputException when writing fails
      */
     public Optional<String> write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
@@ -122,8 +123,8 @@ public final class PlaceDirectory implements AutoCloseable {
     }
 
     /**
-     * Says before the search, which may take long, if the layout cannot be written as a scene, whatever its sensors
-     * are.
+     * Reports before the search, which may take long, if the layout could not be written as a scene, whatever its
+     * sensors are.
      *
      * @param notes receives the line
      */

@@ -22,10 +22,12 @@ public interface PlaceMeasure {
         };
     }
 
-    /** What the layout is best for, such as {@code , for the weakest route}; or an empty text. */
+    /**
+     * By what the layout is judged, as the end of a phrase: {@code , judged by its weakest route}; or an empty text.
+     */
     String purpose();
 
-    /** How values are averaged, as the end of a sentence on one of them; or an empty text. */
+    /** How values are averaged, as the end of a sentence on one of the values; or an empty text. */
     default String headingsClause() {
         return "";
     }
@@ -60,7 +62,7 @@ public interface PlaceMeasure {
     /** The greatest possible value, in the unit of the axis; empty if there is no limit. */
     OptionalDouble most();
 
-    /** What the bound says: {@code no layout covers more}. */
+    /** What the upper bound states: {@code no layout covers more}. */
     String unbeaten();
 
     /** A sentence that explains the columns 'alone' and 'together'. */

@@ -39,8 +39,8 @@ public interface PlaceResults {
     PlaceMeasure measure();
 
     /**
-     * What the layout achieves by a closer assessment than that of the search, if that is less than the search
-     * promises, in a sentence; empty if it is not less, or there is no closer assessment.
+     * States in a sentence that the layout achieves less, by a closer assessment, than the search promises; empty if it
+     * does not, or if there is no closer assessment.
      */
     default Optional<String> shortfall() {
         return Optional.empty();
@@ -55,14 +55,14 @@ public interface PlaceResults {
     List<String> lines();
 
     /**
-     * The commands that reproduce these figures: each is the end of a sentence without a full stop, so that it can be
-     * copied up to the end of the line.
+     * Sentences that end with the commands that reproduce these figures. They have no full stop, so that a command can
+     * be copied up to the end of the line.
      *
      * @param layout the file in which the layout has been written as a scene, as a word of a command line
      */
     List<String> reproduction(String layout);
 
-    /** The contents of {@code place.json}: equal inputs give the same bytes for any number of threads. */
+    /** The contents of {@code place.json}. Equal inputs give the same bytes for any number of threads. */
     ObjectNode toJson();
 
     /**

@@ -20,14 +20,15 @@ import tools.jackson.databind.node.ObjectNode;
  * What a search for the best placement against the weakest route found.
  *
  * @param front best layouts for several budgets
- * @param layout the routes past the layout, as flown; empty if the layout has no sensor, its scene would be
- *     inconsistent, or the search was interrupted, or its time was up, before they were computed
- * @param present the routes past the scene's own sensors, as flown; empty if it has none, or for the reasons above
- * @param lost by the name of a sensor whose loss is worst, the routes past the other sensors, as flown; none where the
- *     search has found a route past the others on which nothing detects the drone, or for the reasons above
+ * @param layout the routes past the layout, as flown; empty if the layout has no sensor or its scene would be
+ *     inconsistent, or if the search was interrupted or its time was up before the routes were flown
+ * @param present the routes past the scene's own sensors, as flown; empty if the scene has no sensors, or for the
+ *     reasons above
+ * @param lost the routes past the other sensors, as flown, by the name of a sensor whose loss is worst; none where the
+ *     search has found a route past the other sensors on which nothing detects the drone, or for the reasons above
  * @param isCut whether routes are missing because of an interruption or the time limit
- * @param isSettled whether the figures hold for all routes that flights have shown: if not, the maximum number of
- *     comparisons of layouts has been reached
+ * @param isSettled whether the figures hold for all routes along which flights have been computed; if not, the maximum
+ *     number of comparisons of layouts has been reached
  */
 public record RoutePlaceResults(
         BudgetFront<RoutePlacement> front,

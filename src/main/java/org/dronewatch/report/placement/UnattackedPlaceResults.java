@@ -7,7 +7,7 @@ import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a search for placements found, without the attacks that were to be flown: they were omitted because of an
+ * What a search for placements found, without the attacks that were to be flown, which were omitted because of an
  * interruption or the time limit.
  *
  * @param found what the search found

@@ -16,11 +16,11 @@ import org.dronewatch.run.Stage;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a search for the placement with the longest warning found.
+ * What a search for the placement with the longest warning time found.
  *
  * @param front best layouts for several budgets
- * @param warnings of the layout and of the scene's own sensors; empty if the layout has no sensor, or the search was
- *     interrupted, or its time was up, before they were computed
+ * @param warnings warning times of the layout and of the scene's own sensors; empty if the layout has no sensor, or if
+ *     the search was interrupted or its time was up before the warning times were computed
  */
 public record WarningPlaceResults(BudgetFront<WarningPlacement> front, Optional<LayoutWarnings> warnings)
         implements PlaceResults {

@@ -21,7 +21,7 @@ public record CommandInputs(List<Path> files) {
         files = List.copyOf(files);
     }
 
-    /** The file of a scene; none if it is not a file. */
+    /** The file of a scene; none for a scene that was not read from a file. */
     public static CommandInputs of(Scene scene) {
         return new CommandInputs(scene.files().stream()
                 .limit(1)
@@ -32,8 +32,8 @@ public record CommandInputs(List<Path> files) {
     /**
      * Checks that no input is in the output directory under the name of a result.
      *
-     * @param names the names of results
-     * @throws InputException in one line, if one is
+     * @param names matches the names of results
+     * @throws InputException with a one-line message, if there is such an input
      */
     public void checkKept(Path target, Pattern names) {
         replacedIn(target, names).ifPresent(input -> {

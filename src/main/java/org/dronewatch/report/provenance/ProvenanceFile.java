@@ -48,7 +48,7 @@ public final class ProvenanceFile {
      *
      * @param command the arguments of the command line
      * @param files the campaign file, and the table of its cases if it has one
-     * @param variants the files from which each variant was read, by its name
+     * @param variants the files from which each variant was read, by the name of the variant
      */
     public static ObjectNode of(
             Instant date, List<String> command, int threads, List<FileHash> files, Map<String, InputFiles> variants) {

@@ -12,8 +12,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * The command that a {@code provenance.json} states, and the inputs and the environment of its run. The file is data
- * that anybody may have written.
+ * The command that a {@code provenance.json} states, and the inputs and the environment of its run. Anybody may have
+ * written the file, so it is not trusted.
  *
  * @param words the arguments of the command line
  * @param content the whole file
@@ -59,7 +59,7 @@ public record RecordedCommand(List<String> words, JsonNode content) {
         return new RecordedCommand(words, root);
     }
 
-    /** The names of the keys whose values differ in another provenance. */
+    /** The keys whose values differ in another provenance, of those that may explain different results. */
     public List<String> differences(RecordedCommand other) {
         return GROUNDS.stream()
                 .filter(key -> !content.path(key).equals(other.content.path(key)))

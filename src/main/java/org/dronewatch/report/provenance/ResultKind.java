@@ -8,9 +8,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * The kind of command that results come from, recognised by the files that mark them in their directory. Commands write
- * files with the same names, such as {@code provenance.json}, so the results of two commands in one directory would
- * partly replace each other.
+ * The kind of command that results come from, recognised by files that only its results include. Commands write files
+ * with the same names, such as {@code provenance.json}, so the results of two commands in one directory would partly
+ * replace each other.
  */
 public enum ResultKind {
     /** Results of {@code run}. */
@@ -40,7 +40,7 @@ public enum ResultKind {
     /**
      * Makes sure that a directory holds no results of another kind.
      *
-     * @param target need not exist
+     * @param target the directory, which need not exist
      * @throws InputException when it holds such results
      */
     public void checkAlone(Path target) {

@@ -13,8 +13,8 @@ import org.dronewatch.report.file.ShellWord;
 import org.dronewatch.setting.InputException;
 
 /**
- * The directories in which a command can write its results and scenes: a scene names only files beside it or below it,
- * and nothing but earlier results of the command may be replaced.
+ * The directories in which a command can write its results and scenes: a scene may name only files in its own directory
+ * or below it, and nothing but earlier results of the command may be replaced.
  *
  * @param scene directory of the command's own scene
  * @param kind kind of the results
@@ -25,7 +25,8 @@ public record SceneDirectories(Path scene, ResultKind kind, Pattern names, Comma
     /**
      * What to do, as the end of a sentence, if a scene cannot be written where it was to be.
      *
-     * @param writes makes the text of the scene for a directory, or throws an {@link InputException} if it cannot
+     * @param writes makes the text of the scene for a directory, or throws an {@link InputException} if the scene
+     *     cannot be written there
      */
     public String advice(Consumer<Path> writes) {
         return nearest(directory -> isPossible(() -> writes.accept(directory)))

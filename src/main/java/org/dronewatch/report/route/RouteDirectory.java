@@ -59,7 +59,7 @@ public final class RouteDirectory implements AutoCloseable {
      * Writes all files, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param stage the site
-     * @param models the models of the scene
+     * @param models cache of the scene's models
      * @param provenance the origin of the results
      * @param threads number of worker threads
      * @param notes receives a line on what could not be written

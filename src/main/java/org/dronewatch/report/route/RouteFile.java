@@ -17,7 +17,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** The contents of {@code route.json}: equal inputs give the same bytes for any number of threads. */
+/** The contents of {@code route.json}. Equal inputs give the same bytes for any number of threads. */
 public final class RouteFile {
     /** The version of the keys. */
     private static final int FORMAT = 1;

@@ -18,7 +18,7 @@ import org.dronewatch.scenario.SceneSettings;
  * @param scene name of the scene
  * @param drone name of the drone
  * @param settings of the scene
- * @param protection its protected zones
+ * @param protection protected zones of the scene
  * @param grid the cells of the search
  * @param pointing how sensors on positioners point
  * @param launch the area from which the routes come, as it was given; empty for the edge of the area searched

@@ -18,11 +18,12 @@ import org.dronewatch.route.search.TimeToGo;
  * What {@code route} found.
  *
  * @param survey the weakest routes
- * @param found all routes that the search has found, including those of repeated searches that are not among the
- *     weakest as flown, and those that they replaced
- * @param between what was found between the centres of the cells: whether the cells of the search are small enough
+ * @param found all routes that the search has found, including routes of repeated searches that are not among the
+ *     weakest as flown, and routes that repeated searches replaced
+ * @param between what was found between the centres of the cells, which shows whether the cells of the search are small
+ *     enough
  * @param times the shortest times to the end of a route
- * @param proofs by sector, how often flights along its route are detected; empty if no proof was requested
+ * @param proofs by sector, how often flights along the sector's route are detected; empty if no proof was requested
  * @param isComplete whether everything that was requested was completed
  */
 public record RouteResults(
@@ -38,7 +39,10 @@ public record RouteResults(
         proofs = Collections.unmodifiableMap(new LinkedHashMap<>(proofs));
     }
 
-    /** The route that is least exposed according to the search, whatever flights show; empty if all are of length 0. */
+    /**
+     * The route that is least exposed according to the search, whatever flights show; empty if all routes end where
+     * they begin.
+     */
     public Optional<SectorRoute> leastExposed() {
         return found.stream()
                 .filter(one -> one.route().seconds() > 0.0)

@@ -107,9 +107,7 @@ public final class RouteScenes {
                 .map(flight -> RouteScene.of(inputs.settings(), inputs.drone(), flight));
     }
 
-    /**
-     * The scene in which each route is flown by a drone, all of them at the same time; empty if there are no routes.
-     */
+    /** A scene in which all routes are flown at the same time, each by one drone; empty if there is no route to fly. */
     public Optional<SceneSettings> together(RouteSurvey survey) {
         Map<String, RouteFlight> flights = new LinkedHashMap<>();
         for (SectorRoute route : survey.routes()) {

@@ -72,7 +72,7 @@ public final class RouteTable {
 
     /**
      * What the search does that makes it misjudge the probability of a detection in time on one of the routes, as a
-     * predicate: {@code assesses each cell only at its centre}; empty if it does not misjudge it.
+     * predicate: {@code assesses each cell only at its centre}; empty if the search does not misjudge the route.
      */
     public static Optional<String> misjudgement(SectorRoute route, RouteResults results, RouteInputs inputs) {
         return new RouteNotes(inputs).misjudgement(route, results.survey());

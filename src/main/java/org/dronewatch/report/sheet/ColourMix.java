@@ -9,7 +9,7 @@ public final class ColourMix {
     /**
      * A colour mixed with another that lies over it.
      *
-     * @param share of the colour above, 0 to 1
+     * @param share fraction of the colour above, 0 to 1
      */
     public static Color of(Color below, Color above, double share) {
         return new Color(
@@ -18,7 +18,7 @@ public final class ColourMix {
                 (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
     }
 
-    /** A colour mixed with another that lies over it, for a pixel: red, green and blue in the lowest 24 bits. */
+    /** A pixel mixed with a colour that lies over it: red, green and blue in the lowest 24 bits. */
     public static int of(int below, Color above, double share) {
         return of(below, above.getRGB(), share);
     }

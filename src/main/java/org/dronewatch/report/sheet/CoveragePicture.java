@@ -58,8 +58,8 @@ public final class CoveragePicture {
     /**
      * Draws a plan.
      *
-     * @param title what it shows
-     * @param world for the shades of the ground
+     * @param title what the plan shows
+     * @param world the world, for shading the ground
      * @param drone description of the drone for the legend
      * @param credits that the data of the site require
      */

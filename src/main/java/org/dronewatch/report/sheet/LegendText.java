@@ -5,7 +5,7 @@ import java.awt.Graphics2D;
 import java.util.List;
 import org.dronewatch.render.Credits;
 
-/** Text of a legend in lines that fit: names may be of any length. */
+/** Fits the text of a legend into lines, since names may be of any length. */
 public final class LegendText {
     private static final String GAP = "\u2026";
 
@@ -38,7 +38,11 @@ public final class LegendText {
         return top + Math.max(0, lines.size() - 1) * metrics.getHeight();
     }
 
-    /** A text in one line, without its middle if it is too long. */
+    /**
+     * A text in one line, without its middle if it is too long.
+     *
+     * @param most width of the line in pixels
+     */
     public static String shortened(String text, FontMetrics metrics, int most) {
         int[] points = text.codePoints().toArray();
         int kept = points.length;

@@ -4,10 +4,10 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 
 /**
- * The style of one of several lines that may coincide, drawn in their order: each is narrower than those below it, so
- * that all of them can be seen, and they differ even in black and white.
+ * The style of one of several lines that may coincide, drawn in their order: each line is narrower than the lines below
+ * it, so that all of them can be seen and distinguished even in black and white.
  *
- * @param number of the line, from 0
+ * @param number of the line, from 0 for the lowest
  * @param of number of lines
  * @param colour of the line
  */

@@ -70,7 +70,10 @@ public final class MapSheet {
         g.fillRect(MAP, 0, SIDE, MAP);
     }
 
-    /** The shaded ground of a grid's area, which is the same on all maps of that area. */
+    /**
+     * The shaded ground of a grid's area, which is the same on all maps of that area: red, green and blue of each
+     * pixel, row by row from the north-west.
+     */
     public static int[] ground(World world, FieldGrid grid) {
         return ReliefShade.of(world, grid.east(), grid.north(), grid.columns() * grid.cell(), MAP);
     }
@@ -150,7 +153,9 @@ public final class MapSheet {
         g.setClip(null);
     }
 
-    /** Writes a short text on a pale background near a point on the map, clear of its edge, scale bar and arrow. */
+    /**
+     * Writes a short text on a pale background near a point on the map, clear of the map's edge, scale bar and arrow.
+     */
     public void label(Position at, String text) {
         g.setFont(TITLE);
         int wide = g.getFontMetrics().stringWidth(text);
@@ -275,7 +280,7 @@ public final class MapSheet {
         return new Color(image.getRGB(column, row));
     }
 
-    /** States in a sentence what the map shows, for a report. */
+    /** Sets the caption of the map in a report: a sentence that states what the map shows. */
     public void caption(String sentence) {
         caption = sentence;
     }

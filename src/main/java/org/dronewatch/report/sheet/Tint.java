@@ -2,7 +2,7 @@ package org.dronewatch.report.sheet;
 
 import java.awt.Color;
 
-/** A colour that is laid over others with constant opacity, mixed in advance: for animated pictures. */
+/** A colour that is laid over others with constant opacity, mixed in advance, for animated pictures. */
 public final class Tint {
     private static final int LEVELS = 256;
 
@@ -15,7 +15,7 @@ public final class Tint {
     /**
      * A tint.
      *
-     * @param share of the colour above, 0 to 1, as for {@link ColourMix}
+     * @param share fraction of the colour above, 0 to 1, as for {@link ColourMix}
      */
     public Tint(Color above, double share) {
         for (int level = 0; level < LEVELS; level++) {

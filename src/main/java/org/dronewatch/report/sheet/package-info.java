@@ -1,2 +1,2 @@
-/** A map sheet: its scale bar and north arrow, its relief, its legend and its colours, whatever it shows. */
+/** Map sheets, whatever they show: scale bar and north arrow, relief, legend and colours. */
 package org.dronewatch.report.sheet;

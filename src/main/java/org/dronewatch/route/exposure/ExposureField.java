@@ -50,7 +50,7 @@ public interface ExposureField {
      */
     double least(Position low, Position high, int mode);
 
-    /** This field with a constant added to the rate, 0 or more, 1/s: a price of time. */
+    /** This field with a constant added to the rate, 0 or more, 1/s, as a price of time. */
     default ExposureField plus(double perSecond) {
         return new SummedExposure(List.of(this), perSecond);
     }
@@ -61,8 +61,8 @@ public interface ExposureField {
     }
 
     /**
-     * The field of independent sensors: their rates add. They are added in the order of their names, so that the order
-     * in which they are given does not change a single bit of the sum.
+     * The field of independent sensors, whose rates add. The rates are added in the order of the sensors' names, so
+     * that the order of the map does not change a single bit of the sum.
      */
     static ExposureField ofSensors(Map<String, ExposureField> sensors) {
         return new SummedExposure(List.copyOf(new TreeMap<>(sensors).values()), 0.0);

@@ -14,8 +14,8 @@ public final class GaussRule {
     /**
      * Where a point lies on the piece.
      *
-     * @param point its number, from 0
-     * @return the fraction of the piece, 0 to 1
+     * @param point number of the point, from 0
+     * @return its position as a fraction of the piece, 0 to 1
      */
     public static double at(int point) {
         return 0.5 + (point - 1) * OFF_CENTRE;

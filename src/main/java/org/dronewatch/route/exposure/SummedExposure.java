@@ -5,7 +5,12 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
-/** The sum of several fields and a constant. */
+/**
+ * The sum of several fields and a constant.
+ *
+ * @param parts the fields
+ * @param constant rate that is added to the fields' rates, 0 or more, 1/s
+ */
 public record SummedExposure(List<ExposureField> parts, double constant) implements ExposureField {
     public SummedExposure {
         parts = List.copyOf(parts);

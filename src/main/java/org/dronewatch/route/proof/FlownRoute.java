@@ -19,9 +19,9 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed where it is
- * taken. The route begins at several equally likely moments within the period of the slowest scan ({@link
- * RouteStarts}): all figures are means over them. Positioners only search, since what they follow depends on chance.
- * Immutable and thread-safe.
+ * taken. The route begins at several equally likely moments within the period of the slowest scan
+ * ({@link RouteStarts}): all figures are means over these moments. Positioners only search, since what they follow
+ * depends on chance. Immutable and thread-safe.
  */
 public final class FlownRoute {
     /** The assumed standard deviation, as a fraction of the mean, of the time that is left and of the response time. */
@@ -58,7 +58,8 @@ public final class FlownRoute {
     /**
      * Assesses all looks along a route, on the {@link Workers} of the calling thread.
      *
-     * @param scene scene with one drone, which flies a route, such as a {@link RouteScene}; its cues are ignored
+     * @param scene scene with one drone, which flies a route, such as a {@link RouteScene}; the scene's cues are
+     *     ignored
      * @param models models of the scene
      * @throws IllegalArgumentException if the scene does not have exactly one drone, or the drone flies no route
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
@@ -70,8 +71,9 @@ public final class FlownRoute {
     /**
      * Assesses all looks along a route, as {@link #of(SceneSettings, ModelCache)}, but with more or fewer estimates.
      *
-     * @param estimates number of estimates of a look's probability, where it is estimated from random rays, as it is
-     *     for microphones with the level model; at least 1, shared among the moments at which the route begins
+     * @param estimates number of estimates of a look's probability where this probability is estimated from random
+     *     rays, as for microphones with the level model; at least 1, divided among the moments at which the route
+     *     begins
      */
     public static FlownRoute of(SceneSettings scene, ModelCache models, int estimates) {
         return of(scene, models, flights -> flights, estimates);
@@ -81,7 +83,7 @@ public final class FlownRoute {
      * Assesses all looks along a route, as {@link #of(SceneSettings, ModelCache)}, but with enough estimates for their
      * error to be negligible when the route is flown.
      *
-     * @param runs number of runs with which it is flown, at least 1
+     * @param runs number of runs in which the route is flown, at least 1
      */
     public static FlownRoute toProve(SceneSettings scene, ModelCache models, int runs) {
         checkRuns(runs);
@@ -146,13 +148,13 @@ public final class FlownRoute {
     /**
      * The probability of a timely detection, by the EASI model ({@link TimelyDetection}): that the scene's rule raises
      * an alert early enough before the end of the route for the response. The whole remainder of the flight after an
-     * alert is one task. Its mean duration is the planned one, its standard deviation 30 % of that, and likewise for
-     * the response.
+     * alert is one task. The mean duration of this task is the planned one and its standard deviation 30 % of that; the
+     * same holds for the response.
      *
      * @param response time that the response takes, 0 or more, s
-     * @return empty where it cannot be computed from single looks: if the rule needs several sensors, combines
-     *     probabilities, or requires detections in several looks by an observer or in more than twelve looks by another
-     *     sensor
+     * @return the probability, 0 to 1; empty where it cannot be computed from single looks: if the rule needs several
+     *     sensors, combines probabilities, or confirms an alert over more than twelve looks, or over more than one look
+     *     if an observer is among the sensors
      */
     public OptionalDouble interruption(double response) {
         ResponseTime force = new ResponseTime(response, SPREAD * response);
@@ -169,10 +171,10 @@ public final class FlownRoute {
     }
 
     /**
-     * Flies the route with many seeds, on the {@link Workers} of the calling thread; the result does not depend on
-     * how many workers there are. Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the
-     * moments of {@link RouteStarts} in turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}.
-     * In a run, observers also search for the drone while it waits for its route to begin: if they could see it
+     * Flies the route with many seeds, on the {@link Workers} of the calling thread; the result does not depend on how
+     * many workers there are. Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of
+     * {@link RouteStarts} in turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}. In a run,
+     * observers also search for the drone while it waits for its route to begin: if observers could see the drone
      * there, the prediction is higher than {@link #detection}.
      *
      * @param runs number of runs, at least 1

@@ -5,9 +5,9 @@ import org.dronewatch.statistics.Proportion;
 /**
  * A predicted probability, and the proportion of runs in which the event occurred.
  *
- * @param predicted mean probability of all runs, 0 to 1
+ * @param predicted predicted probability of the event, the mean over all runs, 0 to 1
  * @param error standard error of the prediction, because looks are estimated with random rays; 0 if none are
- * @param flown proportion of the runs
+ * @param flown proportion of the runs in which the event occurred
  */
 public record ProvenChance(double predicted, double error, Proportion flown) {
     /** The confidence of the interval. */
@@ -36,10 +36,11 @@ public record ProvenChance(double predicted, double error, Proportion flown) {
     }
 
     /**
-     * Whether the exact interval of the runs and that of the prediction, which is normally distributed, overlap: if
-     * less than one case is expected, a single one is less rare than the Wilson interval implies.
+     * Whether the exact confidence interval of the runs overlaps that of the prediction, whose error is taken to be
+     * normally distributed. Where less than one case is expected, a single case is less rare than the Wilson interval
+     * implies.
      *
-     * @param confidence of each of the intervals, above 0 and below 1
+     * @param confidence confidence of each interval, above 0 and below 1
      */
     public boolean isPlausible(double confidence) {
         double mayBeOff = error * Proportion.normal(confidence);

@@ -16,12 +16,12 @@ import org.dronewatch.route.search.WeakestRoute;
 
 /**
  * Finds the weakest routes of a site, judged by the looks along them. First the looks along each route that the search
- * has found are assessed. Where they detect the drone more often than the search expected
- * ({@link SectorRoute#isUnderestimated}), the search is repeated with {@link UnforeseenExposure the exposure} that they
- * have revealed added to its own, and the looks along its routes are assessed as well. Where detections come too late,
- * the looks along the routes that are least exposed {@linkplain SiteRoutes#throughout all the way} are assessed, too.
- * From each sector, the weakest route is kept, in the order of {@link RouteSurvey#weakestFirst}; in a tie, the one that
- * was found first. For use by one thread at a time.
+ * has found are assessed. Where these looks detect the drone more often than the search expected
+ * ({@link SectorRoute#isUnderestimated}), {@link UnforeseenExposure the exposure} found along them is added to that of
+ * the search, the search is repeated, and the looks along the new routes are assessed in turn. Where detections come
+ * too late, the looks along the routes that are least exposed {@linkplain SiteRoutes#throughout all the way} are
+ * assessed, too. From each sector, the weakest route is kept, by the order of {@link RouteSurvey#weakestFirst}; in a
+ * tie, the one that was found first. For use by one thread at a time.
  */
 public final class RepeatedSearch {
     /** The greatest number of times that the search is repeated. */
@@ -41,9 +41,9 @@ public final class RepeatedSearch {
      * A search that may be repeated.
      *
      * @param site the search
-     * @param survey what it has found
-     * @param looks gives a route together with the exposure to the looks along it, as {@link FlownRoute#exposure}
-     *     does, or the same route if they cannot be assessed
+     * @param survey what the search has found
+     * @param looks gives a route together with the exposure to the looks along it, as {@link FlownRoute#exposure} does,
+     *     or the same route if its looks cannot be assessed
      */
     public RepeatedSearch(SiteRoutes site, RouteSurvey survey, UnaryOperator<SectorRoute> looks) {
         this.site = site;
@@ -75,9 +75,9 @@ public final class RepeatedSearch {
     /**
      * Searches, for the sectors from which detections come too late, for the routes that are least exposed all the way,
      * and assesses the looks along them: on these routes, a detection in time may be just as likely, but a detection at
-     * any time, late ones included, is less likely. This search, too, is repeated with the exposure that the looks
-     * reveal added. It is made once for each sector; this method has to be called again after the search for detections
-     * in time has been {@linkplain #repeat repeated}.
+     * any time, late ones included, is less likely. The exposure found along the looks is added, and this search, too,
+     * is repeated. Each sector is searched in this way by one call only; this method has to be called again after the
+     * search for detections in time has been {@linkplain #repeat repeated}.
      *
      * @param progress receives 1 after each search, of which there are at most {@link #MOST} + 1
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
@@ -116,7 +116,7 @@ public final class RepeatedSearch {
         return other;
     }
 
-    /** Whether the looks along a route detect the drone more often than the search expected. */
+    /** Whether the looks along any of the kept routes detect the drone more often than the search expected. */
     public boolean isNeeded() {
         return !underestimated().isEmpty();
     }
@@ -140,7 +140,7 @@ public final class RepeatedSearch {
     }
 
     /**
-     * Repeats the search, until it expects what the looks show or finds the same routes again, but at most
+     * Repeats the search until it expects what the looks show, or finds the same routes again, but at most
      * {@link #MOST} times.
      *
      * @param progress receives 1 after each repetition
@@ -178,8 +178,8 @@ public final class RepeatedSearch {
     }
 
     /**
-     * The routes that have been kept; complete if the search has found routes from all sectors, and none of them is
-     * missing here.
+     * A survey of the routes that have been kept. It is complete if the survey of the search is complete and a route
+     * has been kept for each of its sectors.
      */
     public RouteSurvey survey() {
         List<SectorRoute> routes = List.copyOf(kept.values());

@@ -16,12 +16,13 @@ import org.dronewatch.statistics.Proportion;
 
 /**
  * A route checked by trial flights: how often runs of its scene detect the drone, and how often they should. The
- * prediction is {@code 1 - prod(1 - p)} over all looks that a run takes, each assessed where it is taken; where chance
- * decides once per encounter, the mean over all draws. Positioners only search in these runs, since what they follow
- * depends on chance. Where software looks for spots in the images of a thermal camera, successive looks share frames
- * and so are not independent: for such cameras, the prediction is too high.
+ * prediction is {@code 1 - prod(1 - p)} over all looks that a run takes, where p is the probability of detection in a
+ * look, assessed where the look is taken; where chance is drawn once per encounter, the prediction is the mean over all
+ * draws. Positioners only search in these runs, since what they follow depends on chance. Where software looks for
+ * spots in the images of a thermal camera, successive looks share frames and so are not independent: for such cameras,
+ * the prediction is too high.
  *
- * @param detection the predicted mean probability that a run detects the drone, and the proportion of those that do
+ * @param detection the predicted mean probability that a run detects the drone, and the proportion of runs that do
  * @param bySensor the prediction for each sensor, as if it were the only one
  * @param alertInTime as {@code detection}, but for an alert at or before the last moment that leaves enough time for
  *     the scene's response, if flight and response take exactly as long as planned; empty if the scene has no response,
@@ -50,7 +51,7 @@ public record RouteProof(
      * {@link org.dronewatch.run.RunSession}, which must give the same first detection and, where alerts are predicted,
      * the same alert.
      *
-     * @param scene scene with one drone, such as a {@link RouteScene}; its cues are ignored
+     * @param scene scene with one drone, such as a {@link RouteScene}; the scene's cues are ignored
      * @param models models of the scene
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread
@@ -104,9 +105,9 @@ public record RouteProof(
     }
 
     /**
-     * The seed of a run, with which {@code run} repeats it.
+     * The seed of a run, with which the command {@code run} repeats this run.
      *
-     * @param run its number, from 0
+     * @param run number of the run, from 0
      */
     public static long seed(SceneSettings scene, int run) {
         return Draws.derivedSeed(scene.run().seed(), "run", run);
@@ -122,7 +123,9 @@ public record RouteProof(
         return detection.flown();
     }
 
-    /** The prediction, which does not allow for cues, compared with the runs with cues; empty if there are none. */
+    /**
+     * The prediction, which does not allow for cues, compared with the runs with cues; empty if there are no such runs.
+     */
     public Optional<ProvenChance> withCues() {
         return cued.map(runs -> new ProvenChance(predicted(), detection.error(), runs));
     }

@@ -13,13 +13,13 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Spelling;
 
-/** A route as a scene that can be run: the drone flies it alone, and the run ends when it arrives. */
+/** A route as a scene that can be run: the drone flies the route alone, and the run ends when the drone arrives. */
 public final class RouteScene {
     private RouteScene() {}
 
     /**
-     * A scene in which only this drone flies, on this flight, until it arrives. It is the same drone with the same
-     * name, so that sensors draw the same random numbers; of a swarm, only this member flies.
+     * A scene in which only this drone flies, on the given flight, until it arrives. The drone keeps its name, so that
+     * sensors draw the same random numbers; of a swarm, only this member flies.
      *
      * @param drone name of the drone in {@link SceneSettings#individualDrones()}
      * @throws IllegalArgumentException if there is no such drone
@@ -59,8 +59,8 @@ public final class RouteScene {
     }
 
     /**
-     * A scene in which copies of a drone fly several routes at the same time, until the last one arrives. It is for
-     * watching, not for checking the routes, since positioners turn to one drone at a time.
+     * A scene in which copies of a drone fly several routes at the same time, until the last one arrives. Such a scene
+     * is for watching, not for checking the routes, since positioners turn to one drone at a time.
      *
      * @param drone name of the drone of which a copy flies each route
      * @param flights the flights, at least one, by the names of the copies that fly them

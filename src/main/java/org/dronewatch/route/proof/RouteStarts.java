@@ -17,8 +17,9 @@ import org.dronewatch.sensor.SensorSettings;
  * When a route begins. Nobody knows at which moment of a scan an attacker comes, and a drone covers some distance
  * between two looks. So the route begins at several moments, spread evenly over the longest period of any sensor: the
  * period of its looks or, on a positioner, that of its search. If slow sensors have different periods, the moments are
- * shifted within their parts of the longest one so that they are spread as evenly as possible over each period, even
- * where one is a multiple of another. There are fewer moments if no sensor has a period of more than half a second.
+ * shifted within their parts of the longest period so that they are spread as evenly as possible over each of the
+ * periods, even where one period is a multiple of another. There are fewer moments if no sensor has a period of more
+ * than half a second.
  */
 public final class RouteStarts {
     /** The maximum number of moments. */
@@ -38,7 +39,9 @@ public final class RouteStarts {
 
     private RouteStarts() {}
 
-    /** The moments, s since the start of the run, beginning with 0; only 0 if all sensors look often. */
+    /**
+     * The moments, s since the start of the run, beginning with 0; only 0 if no sensor has a period longer than 0.1 s.
+     */
     public static List<Double> of(Collection<SensorSettings<?>> sensors) {
         double longest = period(sensors);
         if (longest <= SHORT) {
@@ -90,7 +93,7 @@ public final class RouteStarts {
         return sensors.stream().mapToDouble(RouteStarts::period).max().orElse(0.0);
     }
 
-    /** The name of the sensor with the longest period; empty if all sensors look often. */
+    /** The name of the sensor with the longest period; empty if no sensor has a period longer than 0.1 s. */
     public static Optional<String> slowest(Map<String, SensorSettings<?>> sensors) {
         return sensors.entrySet().stream()
                 .filter(sensor -> period(sensor.getValue()) > SHORT)

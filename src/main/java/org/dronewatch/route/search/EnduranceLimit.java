@@ -59,7 +59,7 @@ public final class EnduranceLimit {
         };
     }
 
-    /** Whether a route is short enough. */
+    /** Whether the time for which a route is flown under power is within the limit. */
     public boolean allows(WeakestRoute route) {
         return powered(route.path()) <= seconds;
     }
@@ -78,8 +78,9 @@ public final class EnduranceLimit {
     }
 
     /**
-     * The weakest route that is short enough; empty if there is none.
+     * The weakest route within the limit; empty if none is found.
      *
+     * @param starts nodes at which the route may begin
      * @param unlimited the weakest route without the limit
      */
     public Optional<WeakestRoute> from(BitSet starts, WeakestRoute unlimited) {
@@ -140,7 +141,7 @@ public final class EnduranceLimit {
     }
 
     /**
-     * A path sped up to take no longer than allowed, if the modes make that possible: it is flown faster where that
+     * A path sped up to take no longer than allowed, if the modes make that possible. The drone flies faster where this
      * costs the least exposure, whether a detection counts there or not.
      */
     public RoutePath hastened(RoutePath path) {

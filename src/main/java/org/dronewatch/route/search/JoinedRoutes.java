@@ -11,8 +11,8 @@ import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Routes from several sides, each of which may join another one where that is less exposed: the smoothing may end in a
- * local minimum from one side, but not from another. Not thread-safe.
+ * Routes from several sides, each of which may join another one where this lowers its exposure: the smoothing may end
+ * in a local minimum from one side, but not from another. Not thread-safe.
  */
 public final class JoinedRoutes {
     private final WeakestRoutes search;
@@ -28,11 +28,11 @@ public final class JoinedRoutes {
     /**
      * The routes after they have joined others.
      *
-     * @param search the search by whose exposure they are compared
-     * @param routes as found by it
-     * @param starts by route, the nodes at which it may begin instead
+     * @param search the search whose exposure is used to compare the routes
+     * @param routes the routes that this search has found
+     * @param starts for each route, the nodes at which it may begin instead
      * @param isAllowed whether a route that has joined another may replace the original one
-     * @return one route for each of them, in the same order
+     * @return one route for each given route, in the same order
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static List<WeakestRoute> of(

@@ -95,8 +95,9 @@ public final class PlanDirections {
     }
 
     /**
-     * {@code 1 / cos(half the largest angle between neighbouring directions)}: 1.0824, 1.0275, 1.0131 and 1.0034 for 8,
-     * 16, 32 and 48 directions.
+     * The greatest factor by which the shortest path in these directions is longer than the straight line:
+     * {@code 1 / cos(half the largest angle between neighbouring directions)}, which is 1.0824, 1.0275, 1.0131 and
+     * 1.0034 for 8, 16, 32 and 48 directions.
      */
     public double stretch() {
         return 1.0 / Math.cos(0.5 * widest());

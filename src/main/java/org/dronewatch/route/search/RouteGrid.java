@@ -27,7 +27,7 @@ public final class RouteGrid {
      * @param columns number of columns, 2 or more
      * @param rows number of rows, 2 or more
      * @param heights heights of the levels above the ground, ascending, m
-     * @param ground height of the ground by row and column, m
+     * @param ground height of the ground by row and then column, m
      * @param blocked the nodes at which a drone cannot be
      * @throws IllegalArgumentException if a value is out of range
      */
@@ -70,7 +70,10 @@ public final class RouteGrid {
         return columns * rows * heights.length;
     }
 
-    /** The number of a node. */
+    /**
+     * The number of a node; columns are counted from the west, rows from the south and levels from the lowest, each
+     * from 0.
+     */
     public int node(int column, int row, int level) {
         return (level * rows + row) * columns + column;
     }
@@ -142,7 +145,7 @@ public final class RouteGrid {
         return at.z() - ground(clamp((at.x() - west) / spacing, columns), clamp((at.y() - south) / spacing, rows));
     }
 
-    /** A node's position, m. */
+    /** The position of a node, m. */
     public Position position(int node) {
         return new Position(x(node), y(node), z(node));
     }
@@ -190,7 +193,10 @@ public final class RouteGrid {
         return Math.sqrt(east * east + north * north) / spacing;
     }
 
-    /** The least and the greatest height of the ground at the four nodes of a square, m. */
+    /**
+     * The least and the greatest height of the ground, m, in this order, at the four corners of a square of the raster
+     * whose south-western corner is in the given column and row.
+     */
     public double[] groundRange(int column, int row) {
         int at = row * columns + column;
         double[] corners = {ground[at], ground[at + 1], ground[at + columns], ground[at + columns + 1]};

@@ -48,7 +48,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
         return new RouteMode(name, speed, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
-    /** Flight under power at cruise speed, m/s. */
+    /** Flight under power at the cruise speed, given in m/s. */
     public static RouteMode powered(FlightLimits limits, double cruise) {
         return new RouteMode(
                 "powered",
@@ -59,7 +59,7 @@ public record RouteMode(String name, double speed, double climb, double sink, do
                 limits.hover() ? 0.0 : Math.min(cruise, limits.leastSpeed()));
     }
 
-    /** Flight under power at a speed below the cruise speed, m/s, by a drone that can hover. */
+    /** Flight under power at a given speed below the cruise speed, m/s, by a drone that can hover. */
     public static RouteMode slow(FlightLimits limits, double speed) {
         return new RouteMode(SLOW, speed, limits.climb(), limits.sink(), Double.POSITIVE_INFINITY);
     }

@@ -13,7 +13,7 @@ import org.dronewatch.geometry.Position;
 /**
  * A path of straight legs.
  *
- * @param points its points from the first to the last, at least one, m
+ * @param points points from the first to the last, at least one, m
  * @param modes for each leg, the number of the mode in which it is flown
  */
 public record RoutePath(List<Position> points, List<Integer> modes) {
@@ -51,7 +51,7 @@ public record RoutePath(List<Position> points, List<Integer> modes) {
      * micrometre, speeds to a nanometre per second, so that scene files state them without the rounding errors of the
      * search.
      *
-     * @param of the modes in which the drone may fly, as in the search
+     * @param of the modes of the search, in the order of their numbers
      * @return the flight; empty for a path that is shorter than the shortest possible leg
      */
     public Optional<RouteFlight> flight(List<RouteMode> of) {

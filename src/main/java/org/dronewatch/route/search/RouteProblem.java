@@ -9,12 +9,12 @@ import org.dronewatch.route.exposure.ExposureField;
  *
  * @param grid the nodes between which routes lead
  * @param field how exposed the drone is
- * @param modes modes in which the drone may fly: it may change between those under power at any node, and once from
- *     these to a glide, which comes after them, but not back
- * @param turnRadius the smallest radius of a turn, 0 for none, m
+ * @param modes modes in which the drone may fly, first those under power, then any glide; at any node, the drone may
+ *     change between modes under power, or from one of these to a glide, but not back
+ * @param turnRadius the smallest radius of a turn, 0 for no limit, m
  * @param directions directions in plan view in which routes may leave a node
  * @param starts nodes at which a route may begin
- * @param goals nodes at which it may end
+ * @param goals nodes at which a route may end
  * @param passage decides between which points the drone can fly straight; blocked nodes are never passed through
  */
 public record RouteProblem(

@@ -27,7 +27,7 @@ public final class RouteTree {
         return cost[state];
     }
 
-    /** The least exposure from a node to the goals; infinite where no route leads there. */
+    /** The least exposure from a node to the goals; infinite where no route leads from the node to a goal. */
     public double cost(int node) {
         return cost[state(node)];
     }

@@ -4,8 +4,8 @@ package org.dronewatch.route.search;
  * The least exposed route that was found, with an interval that contains the exposure along the least exposed route
  * that exists.
  *
- * @param path the route, m
- * @param exposure exposure along it, on the part that counts: the upper end of the interval
+ * @param path path of the route
+ * @param exposure exposure along the part of the route on which a detection counts: the upper end of the interval
  * @param lower a certified lower bound on the exposure along all routes from the same starts: the lower end of the
  *     interval
  * @param seconds how long the route takes, s

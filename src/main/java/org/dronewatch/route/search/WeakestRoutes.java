@@ -169,8 +169,8 @@ public final class WeakestRoutes {
     }
 
     /**
-     * The weakest of the routes from some nodes, on the {@link Workers} of the calling thread; empty if none of them
-     * has a route.
+     * The weakest of the routes from some nodes, on the {@link Workers} of the calling thread; empty if no route leads
+     * from any of these nodes.
      *
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
@@ -271,7 +271,10 @@ public final class WeakestRoutes {
         return new TimeToGo(problem.grid(), least);
     }
 
-    /** The least exposure along a route over the nodes, before it is smoothed; infinite if there is no route. */
+    /**
+     * The least exposure, with the price of time, along a route from a node over the nodes of the grid, before the
+     * route is smoothed; infinite if there is no route.
+     */
     public double overNodes(int node) {
         return tree.cost(node);
     }

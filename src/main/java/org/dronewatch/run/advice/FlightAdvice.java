@@ -10,7 +10,7 @@ import org.dronewatch.world.Ground;
  * flight exceeds it most.
  *
  * @param id name of the drone
- * @param limits its performance
+ * @param limits performance limits of the drone
  * @param ground the highest surfaces of the world
  * @param duration of the run, s
  */

@@ -17,7 +17,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.world.Places;
 
 /**
- * Creates the paths of a scene's drones; a swarm shares its leader's, which may have been costly to fit to the ground.
+ * Creates the paths of a scene's drones; the drones of a swarm share the path of their leader, which may have been
+ * costly to fit to the ground.
  */
 public final class FlightPaths {
     private final Places places;
@@ -41,7 +42,7 @@ public final class FlightPaths {
     /**
      * The path of a drone.
      *
-     * @throws InputException when it follows the ground and there is none, or was recorded in an invalid file
+     * @throws InputException when the path follows the ground and there is none, or was recorded in an invalid file
      */
     public FlightPath of(String id, DroneSettings drone) {
         try {

@@ -96,7 +96,7 @@ public final class ModelCache {
         memory = Optional.of(shared);
     }
 
-    /** The world, with the cache that the runs share attached if there is one. */
+    /** The given world with the runs' shared cache attached, if there is one. */
     public synchronized World remembering(World world) {
         return memory.map(world::withMemory).orElse(world);
     }
@@ -109,7 +109,7 @@ public final class ModelCache {
     /**
      * Reads one of the models of a world, once.
      *
-     * @param number its index in the world's list
+     * @param number index of the model in the world's list
      */
     public synchronized void readModel(WorldSettings world, int number) {
         model(SiteKeys.Model.of(world).get(number));
@@ -122,8 +122,8 @@ public final class ModelCache {
     /**
      * Reads the recorded flights of a file, once.
      *
-     * @param file its name in the settings
-     * @throws InputException when it cannot be read, or is invalid
+     * @param file name of the file in the settings
+     * @throws InputException when the file cannot be read, or is invalid
      */
     public synchronized FlightsFile flights(String file) {
         return flightFiles.recorded(file);
@@ -132,7 +132,7 @@ public final class ModelCache {
     /**
      * Reads a flight from a file of another program, once.
      *
-     * @throws InputException when it cannot be read, or is invalid
+     * @throws InputException when the file cannot be read, or is invalid
      */
     public synchronized FlightSource flight(FlightFromFile settings) {
         return flightFiles.of(settings);
@@ -303,9 +303,10 @@ public final class ModelCache {
     }
 
     /**
-     * Claims the examination of a site, which many runs share, for one of them.
+     * Reserves, for one of the runs that share a site, the check for vertical offsets between the site's models and the
+     * ground.
      *
-     * @return whether nobody claimed it before
+     * @return whether no run has reserved it before
      */
     public synchronized boolean claimExamination(KDTree site) {
         return examined.add(site);

@@ -49,7 +49,7 @@ public final class PreparedSites {
      * Prepares sites.
      *
      * @param directory directory against which relative paths are resolved
-     * @param place where they are kept
+     * @param place where prepared sites are kept
      * @param progress receives a line before each step that takes seconds, and one if the store cannot be written
      */
     public PreparedSites(Path directory, StorePlace place, Consumer<String> progress) {

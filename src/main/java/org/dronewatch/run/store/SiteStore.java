@@ -155,7 +155,7 @@ public final class SiteStore {
      * Keeps a value, if it took long enough to prepare.
      *
      * @param key only computed if the value is kept
-     * @param seconds the time that it took, s
+     * @param seconds time that the preparation took, s
      */
     public <T> void keep(Supplier<StoreKey> key, StoredForm<T> form, T value, double seconds) {
         if (directory.isEmpty() || seconds < worth || failed) {

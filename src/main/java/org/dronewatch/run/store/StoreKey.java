@@ -15,7 +15,7 @@ import org.dronewatch.setting.input.FileHash;
  * The name of something prepared, with the SHA-256 of everything that it depends on: the bytes of files, settings, the
  * format of the store, this program's code and the machine that runs it.
  *
- * @param kind what it is, in lower-case letters
+ * @param kind kind of the thing that was prepared, in lower-case letters
  * @param sha256 64 hexadecimal digits in lower case
  */
 public record StoreKey(String kind, String sha256) {
@@ -25,7 +25,7 @@ public record StoreKey(String kind, String sha256) {
      * The key of something made from files.
      *
      * @param files as read
-     * @param parts texts of everything else that it depends on
+     * @param parts everything else that it depends on, hashed as text
      */
     public static StoreKey of(String kind, List<FileHash> files, Object... parts) {
         MessageDigest digest = newDigest(kind);

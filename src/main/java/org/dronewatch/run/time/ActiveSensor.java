@@ -48,7 +48,7 @@ public final class ActiveSensor {
         return sensor instanceof RaySensor;
     }
 
-    /** The time of the next look, computed from its index: adding up intervals would drift. */
+    /** The time of the next look, s, computed from its index: adding up intervals would drift. */
     public double nextTime() {
         return nextIndex / rate;
     }
@@ -62,7 +62,7 @@ public final class ActiveSensor {
         return Look.of(seed, id, nextIndex++, time).withPointing(pointing).withEncounters(encounters);
     }
 
-    /** Looks, on any thread. */
+    /** Takes a look, on any thread. */
     public List<Observation> look(World world, List<Drone> drones, Look look, LookTimes times) {
         long start = System.nanoTime();
         List<Observation> observations = sensor.observe(world, drones, look);

@@ -11,9 +11,9 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * Warns about a sensor's positioner if its settings are implausible, although they are valid.
  *
- * @param scene the scene that it belongs to
+ * @param scene the scene to which the sensor belongs
  * @param id name of the sensor
- * @param positioner its positioner
+ * @param positioner settings of the sensor's positioner
  */
 public record PositionerAdvice(SceneSettings scene, String id, PositionerSettings positioner) {
 

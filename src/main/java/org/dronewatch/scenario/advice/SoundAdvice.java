@@ -7,11 +7,11 @@ import org.dronewatch.sound.Directivity;
 import org.dronewatch.sound.DroneSounds;
 
 /**
- * Warns about a drone's sound that combines measured and other data: it has the spectrum of a measured drone, but not
- * its directivity, or not its loudness.
+ * Warns about a drone's sound that combines measured and other data: the spectrum is that of a measured drone, but the
+ * directivity or the sound power level is not.
  *
  * @param id name of the drone
- * @param drone whose sound it is
+ * @param drone settings of the drone
  */
 public record SoundAdvice(String id, DroneSettings drone) {
     /** Drones of one kind differ by a few decibels from flight to flight. */

@@ -35,10 +35,10 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A microphone that hears each drone separately. In the level model, its value is the highest received level: levels
- * are not divided among rays. In the energy model, it is the A-weighted sound pressure level, or the signal-to-noise
- * ratio of the best band, and the drones must be given as they were when the sound left them. Keeps scratch memory: for
- * use by one thread at a time.
+ * A microphone that hears each drone separately. In the level model, the measured value is the highest level received
+ * along any ray, since levels are not divided among rays. In the energy model, the value is the A-weighted sound
+ * pressure level, or the signal-to-noise ratio of the best band, and the drones must be given as they were when the
+ * sound left them. Keeps scratch memory: for use by one thread at a time.
  *
  * <p>In the energy model, an assessment and a look with the same random numbers agree exactly; the probability is 0 or
  * 1. In the level model, a look traces its rays once; if the result depends on the random rays, the assessed
@@ -153,7 +153,7 @@ public final class AcousticSensor implements RaySensor, CurveSensor, Interpolabl
     }
 
     /**
-     * Takes a look with the level model, and traces until the first ray that is loud enough.
+     * Takes a look with the level model, and traces until the first ray that reaches the threshold.
      *
      * @throws IllegalStateException when this sensor uses another propagation model
      */

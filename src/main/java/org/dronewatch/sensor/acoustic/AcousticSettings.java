@@ -34,18 +34,18 @@ import org.dronewatch.world.World;
 /**
  * A microphone, or an array of microphones at one position.
  *
- * @param position its centre, m
+ * @param position position of the microphone, or of the array's centre, m
  * @param radius distance within which a ray must pass the microphone to be received, above 0, m; in the energy model
  *     also the distance within which a ray traced from the microphone must pass the drone
  * @param rate looks per second, above 0, Hz
  * @param threshold level above the background that a sound must reach to be detected, dB
  * @param arrayGain gain in signal-to-noise ratio over a single microphone, 0 to 60 dB
- * @param array the microphones of an array; its gain replaces {@code arrayGain}, and in the energy model it measures
- *     directions, by which other sensors can be cued
+ * @param array the microphones of an array; the gain of the array replaces {@code arrayGain}, and in the energy model
+ *     the array measures directions, by which other sensors can be cued
  * @param propagation model of sound propagation: {@code level-model}, {@code energy-model}, or a kind that another jar
  *     provides
- * @param drawRays whether the report and the viewer show its rays; the report shows those at the first detection, or
- *     those at the start if there is none
+ * @param drawRays whether the report and the viewer show the sensor's rays; the report shows the rays at the first
+ *     detection, or those at the start if there is none
  * @param falseAlarms how often it mistakes something else for a drone; unless set, the rate is unknown, and no false
  *     alarms are simulated
  */
@@ -169,7 +169,10 @@ public record AcousticSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} They represent bearing and elevation; a single microphone measures no direction. */
+    /**
+     * {@inheritDoc} An array that finds directions needs two numbers, for bearing and elevation; a single microphone
+     * measures no direction.
+     */
     @Override
     public int dimensions() {
         return findsDirections() ? 2 : 0;
@@ -184,7 +187,7 @@ public record AcousticSettings(
                 : Optional.empty();
     }
 
-    /** {@inheritDoc} It is that of a sound that just reaches the threshold above the site's background. */
+    /** {@inheritDoc} The value is that of a sound that just reaches the threshold above the site's background. */
     @Override
     public Reading falseReading(World world, double excess) {
         double least = detectionLevel(world.backgroundNoise().level());
@@ -196,7 +199,10 @@ public record AcousticSettings(
         return findsDirections() ? Optional.of(AzimuthSpan.ALL) : Optional.empty();
     }
 
-    /** The level at and above which a sound is detected over a background, dB re 20 uPa. */
+    /**
+     * The level at and above which a sound is detected over a background noise level, dB with the same reference as the
+     * background.
+     */
     public double detectionLevel(double background) {
         return background + threshold - gain();
     }

@@ -3,8 +3,8 @@ package org.dronewatch.sensor.alarm;
 /**
  * The azimuths over which the bearings of a sensor's false alarms are uniformly distributed.
  *
- * @param centre clockwise from north, rad
- * @param width above 0 and at most 2 pi, rad
+ * @param centre azimuth of the centre, clockwise from north, rad
+ * @param width width, above 0 and at most 2 pi, rad
  */
 public record AzimuthSpan(double centre, double width) {
     /** The full circle. */
@@ -25,8 +25,8 @@ public record AzimuthSpan(double centre, double width) {
     /**
      * The probability that a bearing in this span lies within an angle of a given azimuth, on either side.
      *
-     * @param azimuth rad
-     * @param angle 0 to pi, rad
+     * @param azimuth the given azimuth, clockwise from north, rad
+     * @param angle the angle, 0 to pi, rad
      */
     public double probabilityWithin(double angle, double azimuth) {
         double offset = Math.IEEEremainder(azimuth - centre, 2.0 * Math.PI);

@@ -14,12 +14,14 @@ import org.dronewatch.world.World;
  */
 public interface FalseAlarming {
 
-    /** The rate of its false alarms in weather for which no other rate is stated; empty when it is not known. */
+    /**
+     * The rate of the sensor's false alarms in weather for which no other rate is stated; empty when it is not known.
+     */
     Optional<FalseAlarmRate> falseAlarmRate();
 
     /**
-     * The rate of its false alarms in given weather: the same in all weather unless overridden; empty when it is not
-     * known.
+     * The rate of the sensor's false alarms in given weather: the same in all weather unless overridden; empty when it
+     * is not known.
      */
     default Optional<FalseAlarmRate> falseAlarmRate(Weather weather) {
         return falseAlarmRate();
@@ -48,7 +50,8 @@ public interface FalseAlarming {
      * The reading of a false alarm: a value that reaches the threshold.
      *
      * @param world the site
-     * @param excess 0 or more, exponentially distributed with mean 1: the excess of noise over a threshold
+     * @param excess excess of the noise power over the threshold, in units of its mean: 0 or more, exponentially
+     *     distributed with mean 1
      */
     Reading falseReading(World world, double excess);
 
@@ -62,7 +65,7 @@ public interface FalseAlarming {
 
     /** Settings that state a rate directly. */
     interface Stated extends FalseAlarming {
-        /** The rate of its false alarms; empty when that is not known. */
+        /** The rate of the sensor's false alarms; empty when it is not known. */
         Optional<FalseAlarms> falseAlarms();
 
         /** Looks per second, Hz. */

@@ -267,14 +267,14 @@ public final class CameraSensor implements BoundingSensor {
     }
 
     /**
-     * The significant pixels of each drone along the camera's own aim, in the order of the drones, and those of them
-     * that show it.
+     * For each drone in the given order, its significant pixels along the camera's own aim, and which of these show the
+     * drone.
      */
     public List<DronePixels> pixels(World site, List<Drone> drones) {
         return ownAim.pixels(site, drones);
     }
 
-    /** The number of pixels that show a drone along the camera's own aim, if it is the only one. */
+    /** The number of pixels that show a drone along the camera's own aim, if it is the only drone. */
     public int pixels(World site, Drone drone) {
         ownAim.draw(site, List.of(drone));
         return ownAim.pixels(0);

@@ -36,8 +36,8 @@ import org.dronewatch.world.World;
  * @param projection position of its axis in the image, and its near and far planes
  * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m; it determines the blur due to
  *     diffraction; omit it for a lens without diffraction
- * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur due to
- *     the lens and the air, m
+ * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur due to the lens and the
+ *     air, m
  * @param rate frames per second, above 0, Hz
  * @param detection detection function: how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount
@@ -133,7 +133,7 @@ public record CameraSettings(
         return isMissing ? Optional.empty() : PictureSensorSettings.super.as(capability);
     }
 
-    /** {@inheritDoc} They are whole numbers of pixels. */
+    /** {@inheritDoc} The values are whole numbers of pixels. */
     @Override
     public Scale thresholdScale() {
         return new Scale("detection.pixels", Quantity.PIXELS, 1.0, (double) width * height, 1.0);
@@ -144,7 +144,7 @@ public record CameraSettings(
         return withDetection(new PixelThreshold(pixels));
     }
 
-    /** {@inheritDoc} It is exactly at the threshold. */
+    /** {@inheritDoc} The value is exactly at the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(detection.threshold(), detection.threshold(), detection.unit());

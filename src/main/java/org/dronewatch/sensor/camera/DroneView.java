@@ -6,16 +6,16 @@ import org.dronewatch.world.Light;
 /**
  * A camera's view of a drone in one frame.
  *
- * @param pixels number of pixels that show it
- * @param range distance to its origin, m
+ * @param pixels number of pixels that show the drone
+ * @param range distance from the camera to the drone's origin, m
  * @param focalLength focal length in pixels: the width in pixels of an object 1 m wide at a distance of 1 m on the axis
- * @param crossing its speed across the image, pixels per second
+ * @param crossing speed of the drone across the image, pixels per second
  * @param light light by which the drone is seen
  * @param sunAngle angle between the lines of sight to the drone and to the sun, rad; infinite when the sun is not
  *     visible
  * @param lens lens of the camera
- * @param background distance from its origin, along the line of sight, to the ground or a building behind it, m;
- *     infinite for the sky
+ * @param background distance from the drone's origin, along the line of sight, to the ground or a building behind the
+ *     drone, m; infinite for the sky
  */
 public record DroneView(
         int pixels,

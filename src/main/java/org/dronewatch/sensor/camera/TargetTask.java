@@ -18,7 +18,8 @@ import org.dronewatch.world.Light;
  * perform a task with a drone's image: detect it, recognise it as a drone, or identify its type. Johnson's criteria
  * state the number of line pairs across the target that each task requires (Johnson 1958); the target transfer
  * probability function gives the probability for more or fewer (Howe, in "The Infrared and Electro-Optical Systems
- * Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}.
+ * Handbook", vol. 4, 1993): {@code P = x^E / (1 + x^E)} with {@code x = N / N50} and {@code E = 2.7 + 0.7 x}, where N
+ * is the number of line pairs resolved across the target and N50 the number at which the probability is 0.5.
  *
  * <p>The number of line pairs resolved is half the square root of the number of the drone's pixels, and lower if the
  * drone's contrast is weak or if it crosses the image fast: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The

@@ -34,10 +34,10 @@ public final class AreaBounds {
     }
 
     /**
-     * An upper bound on the area of a drone, whether or not it is hidden, pixels.
+     * An upper bound on the area of a drone in the image, whether or not it is hidden, pixels.
      *
      * @param at position of its origin, m
-     * @param radius greatest distance of its mesh from there, m
+     * @param radius greatest distance of its mesh from its origin, m
      * @return {@link Double#MAX_VALUE} close to the camera, and far from its axis
      */
     public double most(Position at, double radius) {
@@ -51,8 +51,8 @@ public final class AreaBounds {
     }
 
     /**
-     * Whether the site certainly hides a drone: a triangle lies in front of it and extends beyond its outline, or
-     * triangles do so for the parts of a square around it. Arguments as for {@link #most}.
+     * Whether the site certainly hides a drone: one triangle in front of it covers a square around its outline, or
+     * several triangles cover the parts of that square. Arguments as for {@link #most}.
      */
     public boolean isHidden(Position at, double radius) {
         Position from = camera.position();

@@ -36,7 +36,7 @@ public final class CameraObject {
     private final Matrix4d view;
     private final Matrix4d projection;
 
-    /** A camera with these settings. Without roll, north is at the top if it looks straight down. */
+    /** A camera with these settings. Without roll, north is at the top if the camera looks straight down. */
     public CameraObject(PictureSettings settings) {
         this(
                 settings.position(),
@@ -210,7 +210,10 @@ public final class CameraObject {
         return Math.sqrt(1.0 + x * x + y * y);
     }
 
-    /** Writes the coordinates of a point of the world in the camera's frame: metres to the right, up and ahead. */
+    /**
+     * Writes the coordinates of a point of the world relative to the camera, from index {@code at} of the target on:
+     * metres to the right, up and ahead.
+     */
     public void toView(double x, double y, double z, double[] target, int at) {
         double dx = x - position.x();
         double dy = y - position.y();
@@ -220,7 +223,10 @@ public final class CameraObject {
         target[at + 2] = dx * forward.x() + dy * forward.y() + dz * forward.z();
     }
 
-    /** Whether a sphere is entirely behind the camera or outside its image; true only if that is certain. */
+    /**
+     * Whether a sphere is entirely outside the image, or nearer than the near plane or beyond the far plane; true only
+     * if that is certain.
+     */
     public boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();
         double dy = y - position.y();

@@ -67,8 +67,8 @@ public final class DronePicture {
     }
 
     /**
-     * The pictures of a camera in another temporary pose, for the same thread, which take over the scratch memory of
-     * these; these must not be used any longer.
+     * The pictures of a camera in another temporary pose, for the same thread. The returned object takes over this
+     * one's scratch memory; this one must not be used afterwards.
      */
     public DronePicture turned(CameraObject to) {
         DronePicture turned = new DronePicture(to);
@@ -208,7 +208,7 @@ public final class DronePicture {
         return DepthImage.over(camera, distances, hits);
     }
 
-    /** The significant pixels of each drone, in the order of the drones, and those of them that show it. */
+    /** For each drone in the given order, its significant pixels, and which of these show the drone. */
     public List<DronePixels> pixels(World world, List<Drone> drones) {
         draw(world, drones);
         List<DronePixels> pixels = new ArrayList<>(drones.size());

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * The significant pixels of one drone in one frame, which are those inside the bounding box of its projection, and
- * those of them in which the camera sees it. Immutable.
+ * The significant pixels of one drone in one frame, that is, those inside the bounding box of its projection, and which
+ * of these show the drone. Immutable.
  */
 public final class DronePixels {
     private final String drone;

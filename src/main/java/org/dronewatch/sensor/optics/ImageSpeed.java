@@ -14,7 +14,7 @@ public final class ImageSpeed {
      * The angular rate of the line of sight to a drone relative to a camera, which a positioner may itself be turning,
      * rad/s.
      *
-     * @param camera its position, m
+     * @param camera position of the camera, m
      * @param pointing pointing and rates of its positioner; empty for a fixed mount
      */
     public static double turning(Position camera, Drone drone, Optional<Pointing> pointing) {

@@ -39,7 +39,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
      * For a point imaged on the centre of a pixel, the fraction of its light or heat that this pixel receives; blur
      * spreads the rest over its neighbours.
      *
-     * @param focalLength pixels
+     * @param focalLength focal length, pixels
      * @return 0 to 1; 1 without blur, otherwise accurate to about 0.01
      */
     public double ensquaredEnergy(double focalLength) {
@@ -51,12 +51,12 @@ public record ImageTransfer(Lens lens, Turbulence air) {
      * pair across two of them. Without blur, a pattern at the fraction u requires the contrast
      * {@code needed / (1 - u)}: a straight line in place of the measured curve of minimum resolvable contrast. Detail
      * is resolved up to the frequency at which the remaining contrast, {@code seen * transfer}, falls to the required
-     * one, as when Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for thermal
-     * imaging systems", Optical Engineering 15, 525, 1976). Without blur, that is {@code 1 - needed / seen}.
+     * contrast, as when Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for
+     * thermal imaging systems", Optical Engineering 15, 525, 1976). Without blur, u is {@code 1 - needed / seen}.
      *
      * @param needed the least contrast, or signal-to-noise ratio, at which anything is resolved, above 0
      * @param seen contrast, or signal-to-noise ratio, of a large object of the same kind, 0 or more
-     * @param focalLength pixels
+     * @param focalLength focal length, pixels
      * @return 0 to 1; 0 when nothing is resolved
      */
     public double resolved(double needed, double seen, double focalLength) {

@@ -19,8 +19,8 @@ public record Lens(OptionalDouble aperture, double wavelength) {
 
     /**
      * The modulation transfer of a circular aperture of diameter D, limited by diffraction:
-     * {@code 2/pi (acos x - x sqrt(1 - x^2))} with {@code x = wavelength f / D}, 0 from x = 1 (Goodman, "Introduction
-     * to Fourier Optics", section 6.3).
+     * {@code 2/pi (acos x - x sqrt(1 - x^2))} with {@code x = wavelength f / D}, and 0 for x above 1 (Goodman,
+     * "Introduction to Fourier Optics", section 6.3).
      *
      * @param frequency frequency f of the pattern, 0 or more, cycles per radian
      * @return 0 to 1

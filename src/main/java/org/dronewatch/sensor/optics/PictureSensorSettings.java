@@ -29,7 +29,7 @@ import org.dronewatch.setting.SettingsForm;
  * positioner.
  *
  * @param <C> the record that implements this: {@code withRoll} and the like return such a record
- * @param <S> the sensor that they create
+ * @param <S> the type of sensor that these settings create
  */
 public interface PictureSensorSettings<C extends Record & PictureSensorSettings<C, S>, S extends Sensor>
         extends SensorSettings<S>, PictureSettings, Mounted, Outlined, DirectionFinding, FalseAlarming.Stated {
@@ -132,7 +132,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     /**
      * The sighting of a drone in an image: its direction, to a pixel or better, and its apparent size, but no range.
      *
-     * @param drone its position, m
+     * @param drone position of the drone, m
      * @param pixels number of pixels that it covers
      * @param camera the camera that took the image
      */
@@ -152,7 +152,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} They represent the column and the row of the image. */
+    /** {@inheritDoc} The numbers represent the column and the row of the image. */
     @Override
     default int dimensions() {
         return 2;
@@ -173,8 +173,8 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
     }
 
     /**
-     * {@inheritDoc} They extend from the left to the right edge of the image; unknown for a camera that is on a
-     * positioner, aimed steeply, or rolled.
+     * {@inheritDoc} The bearings extend from the left to the right edge of the image; they are unknown for a camera
+     * that is on a positioner, aimed steeply, or rolled.
      */
     @Override
     default Optional<AzimuthSpan> falseBearings() {
@@ -262,7 +262,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
      * Checks that a positioner's lens zooms in, not out.
      *
      * @param fov the camera's own field of view, rad
-     * @throws IllegalArgumentException when it does not
+     * @throws IllegalArgumentException when a field of view of the lens is wider than {@code fov}
      */
     static void checkZoom(double fov, Optional<PositionerSettings> positioner) {
         positioner.flatMap(PositionerSettings::zoom).ifPresent(lens -> {

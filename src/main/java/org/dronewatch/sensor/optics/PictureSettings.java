@@ -47,7 +47,10 @@ public interface PictureSettings extends Aimed, Imaging {
     /** The axis of the image along which the field of view is measured. */
     FieldOfView fovAxis();
 
-    /** Focal length in pixels, the same for both axes: {@code (side/2) / tan(fov/2)}. */
+    /**
+     * Focal length in pixels, the same for both axes: {@code (side/2) / tan(fov/2)}, where {@code side} is the number
+     * of pixels along {@link #fovAxis}.
+     */
     default double focalLength() {
         double side = fovAxis() == FieldOfView.VERTICAL ? height() : width();
         return 0.5 * side / Math.tan(0.5 * fov());

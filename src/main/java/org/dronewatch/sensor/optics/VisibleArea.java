@@ -66,7 +66,7 @@ public final class VisibleArea {
         return bundle;
     }
 
-    /** The area of a drone that is in the image and not hidden by the site, in pixels. */
+    /** The area in the image of the part of a drone that the site does not hide, in pixels. */
     public double of(Drone drone) {
         return of(drone, NEVER);
     }
@@ -81,8 +81,8 @@ public final class VisibleArea {
     }
 
     /**
-     * The area of a drone that nothing hides, or a smaller area if that is already sufficient, in pixels; otherwise as
-     * {@link #of(Drone, DoublePredicate)}.
+     * The area of a drone that nothing hides, or a smaller area if that is already sufficient, in pixels; in all other
+     * respects as {@link #of(Drone, DoublePredicate)}.
      *
      * @param silhouette decides the outcome of many rays; its bounds must be {@linkplain SilhouetteArea#isOf those} of
      *     the drone
@@ -99,7 +99,7 @@ public final class VisibleArea {
         return of(drone, false, enough, silhouette);
     }
 
-    /** The area of a drone that would be in the image without obstructions, in pixels. */
+    /** The area that a drone would have in the image if nothing hid it, in pixels. */
     public double inTheOpen(Drone drone) {
         return inTheOpen(drone, NEVER);
     }

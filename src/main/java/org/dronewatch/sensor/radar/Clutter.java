@@ -10,7 +10,8 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * Clutter, the echoes of ground and rain in a drone's resolution cell, which is as wide as the beam and as deep as the
- * range resolution {@code c / (2 B)}. The residual clutter after the radar's filters is added to the noise.
+ * range resolution {@code c / (2 B)}, with the speed of light c and the bandwidth B. The residual clutter after the
+ * radar's filters is added to the noise.
  *
  * @param ground backscatter of the site's surface
  * @param improvement improvement factor of the radar against ground clutter, 0 to 150 dB: increase in the

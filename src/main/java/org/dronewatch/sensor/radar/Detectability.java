@@ -15,7 +15,7 @@ public final class Detectability {
     /**
      * Probability that one look with a single pulse detects a target.
      *
-     * @param signalToNoise dB
+     * @param signalToNoise signal-to-noise ratio, dB
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param fluctuation fluctuation of the target
      */

@@ -15,7 +15,7 @@ public sealed interface DopplerFilter {
     /**
      * The fraction of an echo's power that passes, 0 to 1.
      *
-     * @param radialSpeed m/s, of either sign
+     * @param radialSpeed radial speed of the drone, m/s, of either sign
      */
     double response(double radialSpeed);
 
@@ -28,9 +28,9 @@ public sealed interface DopplerFilter {
     Explanation miss(double radialSpeed, double needed);
 
     /**
-     * A high-pass filter with the Butterworth power response {@code 1 / (1 + (w / v)^(2 n))}, for a radar with so long
-     * a dwell, or so varied a pulse repetition frequency, that it has no blind speeds. Source: A. V. Oppenheim, R. W.
-     * Schafer, Discrete-Time Signal Processing, appendix B.
+     * A high-pass filter with the Butterworth power response {@code 1 / (1 + (w / v)^(2 n))} at the radial speed v, for
+     * a radar with so long a dwell, or so varied a pulse repetition frequency, that it has no blind speeds. Source: A.
+     * V. Oppenheim, R. W. Schafer, Discrete-Time Signal Processing, appendix B.
      *
      * @param halfPowerSpeed the radial speed w at which half of the power passes, above 0 and at most 1000 m/s
      * @param order the order n: far below that speed, the response falls by 6 n dB each time the speed is halved, 1 to
@@ -69,9 +69,9 @@ public sealed interface DopplerFilter {
     }
 
     /**
-     * An N-pulse canceller with binomial weights and the power response {@code |sin(pi v / b)|^(2 (N - 1))}, which is
-     * also blind at every multiple of the speed b. Source: M. A. Richards, Fundamentals of Radar Signal Processing,
-     * section 5.2.
+     * An N-pulse canceller with binomial weights, which is also blind at every multiple of the speed b: its power
+     * response at the radial speed v is {@code |sin(pi v / b)|^(2 (N - 1))}. Source: M. A. Richards, Fundamentals of
+     * Radar Signal Processing, section 5.2.
      *
      * @param pulses the number of pulses N, 2 to 10
      * @param blindSpeed the first blind speed b, half the wavelength times the pulse repetition frequency, above 0 and

@@ -25,7 +25,7 @@ public sealed interface LinkBudget {
      *
      * @param frequency carrier frequency, Hz
      * @param crossSection radar cross-section, m2
-     * @param range m, above 0
+     * @param range distance of the target, above 0, m
      */
     default double signalToNoise(double frequency, double crossSection, double range) {
         return echo(frequency, 1).applyAsDouble(crossSection, range);
@@ -60,7 +60,9 @@ public sealed interface LinkBudget {
 
     /**
      * The radar equation: {@code SNR = P Gt Gr lambda^2 sigma / ((4 pi)^3 r^4 k T0 B F L)} with T0 = 290 K (Skolnik,
-     * Radar Handbook). B is the noise bandwidth after coherent processing, one over the integration time, not that of
+     * Radar Handbook). P is the transmitted power, Gt and Gr are the gains of the antennas, lambda is the wavelength,
+     * sigma the radar cross-section, r the range, k Boltzmann's constant, and F and L are the noise figure and the
+     * losses as ratios. B is the noise bandwidth after coherent processing, one over the integration time, not that of
      * the sweep. A radar with a known system temperature T instead of a noise figure has the noise figure 10 lg(T / 290
      * K).
      *
@@ -133,7 +135,7 @@ public sealed interface LinkBudget {
             return 10.0 * Math.log10(received / noise) + (gain + receiveGain.orElse(gain)) - noiseFigure - losses;
         }
 
-        /** This hardware with another antenna for reception, dBi. */
+        /** This hardware with a separate antenna of the given gain for reception, dBi. */
         public Hardware withReceiveGain(double decibels) {
             return SettingsForm.with(this, "receiveGain", Optional.of(decibels));
         }
@@ -156,8 +158,9 @@ public sealed interface LinkBudget {
     }
 
     /**
-     * A link budget from a data sheet: the range at which a target is detected with a stated probability. It determines
-     * the overall gain, including that from integrating pulses; the echo then falls with the fourth power of the range.
+     * A link budget from a data sheet: the range at which a target is detected with a stated probability. This range
+     * determines the overall gain, including that from integrating pulses; the echo then falls with the fourth power of
+     * the range.
      *
      * @param range range at which the target is detected, 0.1 m to 1000 km, m
      * @param crossSection radar cross-section of that target, 1e-9 to 1e6 m2
@@ -192,8 +195,8 @@ public sealed interface LinkBudget {
 
         /**
          * A data sheet with a probability of detection of 90 % for a steady target, and a probability of false alarm of
-         * one in a million. At that range, the target has a signal-to-noise ratio of 13.18 dB: a radar with a higher
-         * fixed threshold, such as the default of 15 dB, does not reach it.
+         * one in a million. At the stated range, the target has a signal-to-noise ratio of 13.18 dB: a radar with a
+         * higher fixed threshold, such as the default of 15 dB, does not reach it.
          */
         @Defaults({"range", "crossSection"})
         public static DataSheet of(double range, double crossSection) {
@@ -241,8 +244,8 @@ public sealed interface LinkBudget {
      * The range at which an echo has a given signal-to-noise ratio, in clear air, m.
      *
      * @param frequency carrier frequency, Hz
-     * @param crossSection m2
-     * @param signalToNoise dB
+     * @param crossSection radar cross-section, m2
+     * @param signalToNoise the given signal-to-noise ratio, dB
      */
     default double range(double frequency, double crossSection, double signalToNoise) {
         Check.positive("crossSection", crossSection, Quantity.AREA);

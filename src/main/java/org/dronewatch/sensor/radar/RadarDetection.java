@@ -42,7 +42,8 @@ public sealed interface RadarDetection {
     /**
      * The reading of noise that exceeds the threshold.
      *
-     * @param excess its excess over the threshold, exponentially distributed with mean 1
+     * @param excess excess of the noise power over the threshold, in units of its mean: 0 or more, exponentially
+     *     distributed with mean 1
      */
     Reading noise(double excess);
 
@@ -64,7 +65,7 @@ public sealed interface RadarDetection {
         /**
          * The probability that one look detects an echo, 0 to 1.
          *
-         * @param signalToNoise dB
+         * @param signalToNoise signal-to-noise ratio of a pulse, averaged over the fluctuation, dB
          */
         double probability(double signalToNoise);
     }
@@ -72,8 +73,8 @@ public sealed interface RadarDetection {
     /**
      * A fixed threshold, as in the thesis on which this project is based. A fluctuating target requires an average
      * ratio that is higher by the fluctuation loss (L. V. Blake, Radar Range-Performance Analysis, chapter 2): the
-     * difference between the ratios required by it and by a steady target for a probability of detection of 0.9 and a
-     * probability of false alarm of 1e-6, with one pulse.
+     * difference between the ratios that a fluctuating and a steady target require for a probability of detection of
+     * 0.9 and a probability of false alarm of 1e-6, with one pulse.
      *
      * @param signalToNoise signal-to-noise ratio that a steady target must reach, -50 to 100 dB
      */
@@ -190,7 +191,7 @@ public sealed interface RadarDetection {
             };
         }
 
-        /** {@inheritDoc} It is a mean over the pulses, in units of the mean noise. */
+        /** {@inheritDoc} The value is a mean over the pulses, in units of the mean noise. */
         @Override
         public Reading noise(double excess) {
             return new SquareLawDetector(falseAlarm, pulses).noise(excess);

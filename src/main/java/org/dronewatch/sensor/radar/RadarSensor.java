@@ -25,9 +25,9 @@ import org.dronewatch.sensor.radar.RadarEcho.Received;
 import org.dronewatch.world.World;
 
 /**
- * A radar. Its value is the ratio of the drone's echo to the noise, or to the sum of noise and clutter if the settings
- * have clutter, after the notch if there is one; minus infinity for a drone outside its limits of position or radial
- * speed. For a drone that is partly or entirely hidden, the visible fraction of the cross-section is used (minus
+ * A radar. Its value is the ratio in dB of the drone's echo to the noise, or to the sum of noise and clutter if the
+ * settings have clutter, after the notch if there is one; minus infinity for a drone outside its limits of position or
+ * radial speed. For a drone that is partly or entirely hidden, the visible fraction of the cross-section is used (minus
  * infinity if nothing is visible) or, with {@code diffraction}, the wave diffracted around the edges of the site in
  * both directions.
  */

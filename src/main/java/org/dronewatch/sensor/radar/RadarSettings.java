@@ -184,7 +184,7 @@ public record RadarSettings(
     }
 
     /**
-     * A radar that scans through 360 degrees once per second, over 20 degrees of elevation with a horizontal axis, at
+     * A radar that scans through 360 degrees once per second, over 20 degrees of elevation centred on the horizon, at
      * 10 GHz with horizontal polarisation, from 20 m to 10 km, for radial speeds from 1 to 200 m/s, with a fixed
      * threshold of 15 dB; its position errors are 5 m and one degree. Whether a look detects a drone does not depend on
      * chance, unless {@link #withDetection} sets a probabilistic detection function. For a
@@ -331,7 +331,7 @@ public record RadarSettings(
         return falseAlarms.map(noise -> noise.rate(cells(), budget, detection, rate));
     }
 
-    /** {@inheritDoc} They represent range, azimuth and elevation. */
+    /** {@inheritDoc} The numbers represent range, azimuth and elevation. */
     @Override
     public int dimensions() {
         return 3;
@@ -362,9 +362,9 @@ public record RadarSettings(
     }
 
     /**
-     * {@inheritDoc} These concern a gain that the beam cannot have, a scan that is too fast for its beams, and a fixed
-     * threshold that does not give the range of the data sheet. Each is checked only if the budget states the values
-     * required.
+     * {@inheritDoc} The warnings concern a gain that the beam cannot have, a scan that is too fast for its beams, and a
+     * fixed threshold that does not give the range of the data sheet. Each is checked only if the budget states the
+     * values required.
      */
     @Override
     public List<String> advice() {

@@ -57,7 +57,7 @@ public final class Rain {
     /**
      * Specific attenuation, one way, dB/m.
      *
-     * @param frequency 1 to 1000 GHz, Hz
+     * @param frequency carrier frequency, 1 to 1000 GHz, Hz
      * @param rate rain rate, 0 or more, mm/h
      * @param elevation elevation of the path, rad
      * @throws IllegalArgumentException when the frequency is outside its limits
@@ -80,12 +80,13 @@ public final class Rain {
 
     /**
      * Radar cross-section per unit volume, m2/m3: {@code pi^5 |K|^2 Z / lambda^4} for drops that are small compared
-     * with the wavelength, with {@code |K|^2 = 0.93} and {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer,
-     * Journal of Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain").
-     * Compared with Mie sums over that drop-size distribution, the error is at most 3.2 dB from 5.6 to 35 GHz and 1 to
-     * 25 mm/h; at millimetre wavelengths the cross-section is far too high.
+     * with the wavelength lambda, where the dielectric factor of water is {@code |K|^2 = 0.93} and the reflectivity
+     * factor at a rain rate of R mm/h is {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal of
+     * Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Compared with
+     * Mie sums over that drop-size distribution, the error is at most 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h; at
+     * millimetre wavelengths the cross-section is far too high.
      *
-     * @param frequency Hz
+     * @param frequency carrier frequency, Hz
      * @param rate rain rate, 0 or more, mm/h
      */
     public static double reflectivity(double frequency, double rate) {

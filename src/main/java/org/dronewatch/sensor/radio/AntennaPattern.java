@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The pattern of a directional antenna: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a and e from
- * its axis, with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1).
+ * The pattern of a directional antenna: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a in azimuth
+ * and e in elevation from its axis, with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1).
  *
  * @param azimuthBeamwidth horizontal half-power beamwidth, 0.01 to 360 degrees, rad
  * @param elevationBeamwidth vertical half-power beamwidth, 0.01 to 180 degrees, rad
@@ -42,11 +42,11 @@ public record AntennaPattern(
     }
 
     /**
-     * The largest possible gain of a beam of these widths: {@code 4 pi / (A E)}, without losses and side lobes
-     * (Skolnik, Radar Handbook), dBi.
+     * The largest possible gain of a beam with the half-power beamwidths A and E, without losses and side lobes:
+     * {@code 10 lg(4 pi / (A E))} dBi (Skolnik, Radar Handbook).
      *
-     * @param azimuthBeamwidth rad
-     * @param elevationBeamwidth rad
+     * @param azimuthBeamwidth half-power beamwidth A in azimuth, rad
+     * @param elevationBeamwidth half-power beamwidth E in elevation, rad
      */
     public static double largestGain(double azimuthBeamwidth, double elevationBeamwidth) {
         return 10.0 * Math.log10(4.0 * Math.PI / (azimuthBeamwidth * elevationBeamwidth));
@@ -73,8 +73,8 @@ public record AntennaPattern(
      *
      * @param axis direction of the axis, of any length above 0
      * @param seen the direction, of any length above 0
-     * @param azimuthBeamwidth rad
-     * @param elevationBeamwidth rad
+     * @param azimuthBeamwidth half-power beamwidth A in azimuth, rad
+     * @param elevationBeamwidth half-power beamwidth E in elevation, rad
      * @param sideLobes level of the side lobes below that of the main lobe, dB
      */
     public static double loss(

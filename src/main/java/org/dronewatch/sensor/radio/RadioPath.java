@@ -109,10 +109,11 @@ public final class RadioPath {
     }
 
     /**
-     * Loss in free space between isotropic antennas: {@code 20 lg(4 pi d f / c)} (ITU-R P.525).
+     * Loss in free space between isotropic antennas: {@code 20 lg(4 pi d f / c)} with the speed of light c (ITU-R
+     * P.525).
      *
-     * @param distance above 0, m
-     * @param frequency Hz
+     * @param distance distance d, above 0, m
+     * @param frequency carrier frequency f, Hz
      * @return dB
      */
     public static double freeSpaceLoss(double distance, double frequency) {
@@ -123,9 +124,9 @@ public final class RadioPath {
      * The diffraction loss between two positions, dB; infinite if there is no path around the obstacle, as into a
      * closed room.
      *
-     * @param from one antenna, m
-     * @param to the other, m
-     * @param frequency Hz
+     * @param from position of one antenna, m
+     * @param to position of the other antenna, m
+     * @param frequency carrier frequency, Hz
      */
     public double obstacleLoss(Position from, Position to, double frequency) {
         return obstacleLoss(from, to, frequency, FIRST);

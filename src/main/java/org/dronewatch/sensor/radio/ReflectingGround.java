@@ -13,9 +13,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param permittivity relative permittivity, 1 to 100: 3 for very dry, 15 for medium dry, 30 for wet ground, 80 for
  *     water (ITU-R P.527)
  * @param conductivity conductivity, 0 to 100 S/m: 0.001 for medium dry, 0.01 for wet ground, 5 for sea water
- * @param roughness standard deviation of the heights relative to the mesh, 0 to 100 m
- * @param roundEarth whether the surface is a sphere of 4/3 of the earth's radius, which spreads the reflected wave; the
- *     meshes of the site stay as they are
+ * @param roughness standard deviation of the ground's height from the mesh, 0 to 100 m
+ * @param roundEarth whether the reflecting surface is a sphere of 4/3 of the earth's radius, which spreads the
+ *     reflected wave; the meshes of the site stay as they are
  */
 public record ReflectingGround(
         @In(value = Quantity.NUMBER, from = 1, to = 100) double permittivity,

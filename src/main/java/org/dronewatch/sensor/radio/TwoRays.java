@@ -54,11 +54,11 @@ public final class TwoRays {
     }
 
     /**
-     * The field at one end relative to that in free space, dB, one way; 0 without a reflection.
+     * The field at one end relative to that of the direct wave alone, dB, one way; 0 without a reflection.
      *
      * @param from the sensor, m
      * @param to the drone or the pilot, m
-     * @param frequency Hz
+     * @param frequency carrier frequency, Hz
      * @param isVertical whether the wave is polarised vertically, not horizontally
      * @param isWithinBeam whether the sensor's antenna looks in the direction of a vector
      */
@@ -68,11 +68,11 @@ public final class TwoRays {
     }
 
     /**
-     * The field at one end relative to that in free space, dB, one way; 0 without a reflection.
+     * The field at one end relative to that of the direct wave alone, dB, one way; 0 without a reflection.
      *
      * @param from the sensor, m
      * @param to the drone or the pilot, m
-     * @param frequency Hz
+     * @param frequency carrier frequency, Hz
      * @param isVertical whether the wave is polarised vertically, not horizontally
      * @param amplitude amplitude of the sensor's antenna in the direction of a vector, relative to that towards the
      *     drone or pilot; 0 where it does not look

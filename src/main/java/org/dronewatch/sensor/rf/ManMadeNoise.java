@@ -2,8 +2,9 @@ package org.dronewatch.sensor.rf;
 
 /**
  * Man-made radio noise by type of surroundings: the median external noise figure for a lossless antenna,
- * {@code Fam = c - d lg f} dB above {@code k 290 K B} with f in MHz, from 0.3 to 250 MHz (ITU-R P.372-17, section on
- * man-made noise). In half of all locations it is higher. The recommendation gives no figures above 250 MHz.
+ * {@code Fam = c - d lg f} dB above the thermal noise {@code k T0 B} at T0 = 290 K, with the frequency f in MHz and the
+ * constants c and d of the surroundings, from 0.3 to 250 MHz (ITU-R P.372-17, section on man-made noise). In half of
+ * all locations it is higher. The recommendation gives no figures above 250 MHz.
  */
 public enum ManMadeNoise {
     /** City: 76.8 - 27.7 lg f. */
@@ -42,7 +43,7 @@ public enum ManMadeNoise {
      * The ratio of the noise power received by an antenna to that of a resistor at 290 K: 1 or more, since ground and
      * air are about that warm, and 1 at frequencies without a figure.
      *
-     * @param frequency Hz
+     * @param frequency frequency f, Hz
      */
     public double ratio(double frequency) {
         if (frequency < LOWEST || frequency > highestFrequency()) {

@@ -10,8 +10,8 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * A band in which other transmitters, such as WLAN or phones, intermittently raise the noise of a receiver.
  *
- * @param density power per megahertz received by an antenna of 0 dBi while they transmit, -200 to 50 dBm
- * @param occupancy fraction of the looks in which they transmit, 0 to 1
+ * @param density power per megahertz received by an antenna of 0 dBi while the others transmit, -200 to 50 dBm
+ * @param occupancy fraction of the looks during which the others transmit, 0 to 1
  * @param band the band
  * @param minFrequency lower edge in place of that of {@code band}, 1 MHz to 100 GHz, Hz
  * @param maxFrequency upper edge in place of that of {@code band}, Hz

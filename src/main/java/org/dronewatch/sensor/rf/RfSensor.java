@@ -25,8 +25,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * A radio receiver. Its value is the signal-to-noise ratio of the stronger of a drone's own emission and its pilot's;
- * minus infinity for a silent drone, for a carrier outside its frequency range, for an emission that it cannot
+ * A radio receiver. Its value is the signal-to-noise ratio in dB of the stronger of a drone's own emission and its
+ * pilot's; minus infinity for a silent drone, for a carrier outside its frequency range, for an emission that it cannot
  * recognise as a drone's, and in looks that intercept no burst. Keeps scratch memory: for use by one thread at a time.
  */
 public final class RfSensor implements AssessableSensor {

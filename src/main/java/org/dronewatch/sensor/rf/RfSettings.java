@@ -270,10 +270,11 @@ public record RfSettings(
     }
 
     /**
-     * Power of the noise at a frequency, dBm: {@code k 290 K B (fa + fr - 1)} with the external noise fa and the noise
-     * factor fr (ITU-R P.372); without an environment, that of the receiver alone.
+     * Power of the noise at a frequency, dBm: {@code 10 lg(k T0 B (fa + fr - 1) / 1 mW)} with Boltzmann's constant k,
+     * T0 = 290 K, the bandwidth B, the external noise factor fa and the receiver's noise factor fr (ITU-R P.372);
+     * without an environment, the noise of the receiver alone.
      *
-     * @param frequency Hz
+     * @param frequency the frequency, Hz
      */
     public double noise(double frequency) {
         double external = environment.map(noise -> noise.ratio(frequency)).orElse(1.0);
@@ -317,7 +318,7 @@ public record RfSettings(
         return beam.isEmpty() ? 0.0 : beam.get().gain(aim.from(position), towards);
     }
 
-    /** {@inheritDoc} These concern settings that conflict, or have no effect. */
+    /** {@inheritDoc} The warnings concern settings that conflict, or have no effect. */
     @Override
     public List<String> advice() {
         return RfAdvice.on(this);
@@ -328,7 +329,7 @@ public record RfSettings(
         return SettingsForm.with(this, "falseAlarms", Optional.of(others));
     }
 
-    /** {@inheritDoc} It is that of a signal that just reaches the threshold. */
+    /** {@inheritDoc} The value is that of a signal that just reaches the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(threshold, threshold, Quantity.LEVEL.unit());

@@ -126,8 +126,8 @@ public record ThermalSettings(
     }
 
     /**
-     * 640 x 512 pixels over 24 degrees, 25 frames per second, NETD 50 mK, transmittance 85 % per kilometre, minimum
-     * signal-to-noise ratio 2; detects at a probability of 0.5.
+     * 640 x 512 pixels over 24 degrees horizontally, 25 frames per second, NETD 50 mK, transmittance 85 % per
+     * kilometre, minimum signal-to-noise ratio 2; detects at a probability of 0.5.
      */
     @Defaults("position")
     public static ThermalSettings at(Position position) {
@@ -185,7 +185,7 @@ public record ThermalSettings(
         return SettingsForm.with(this, "pointTargets", Optional.of(rule));
     }
 
-    /** {@inheritDoc} If no rate is stated, it is that of noise with point targets. */
+    /** {@inheritDoc} If no rate is stated, the rate is that of noise with point targets. */
     @Override
     public Optional<FalseAlarmRate> falseAlarmRate() {
         return falseAlarms.map(known -> known.rate(rate)).or(this::rateOfNoise);
@@ -200,7 +200,7 @@ public record ThermalSettings(
         return pointTargets.map(rule -> rule.rate(pixels(), rate));
     }
 
-    /** {@inheritDoc} It is exactly at the threshold. */
+    /** {@inheritDoc} The value is exactly at the threshold. */
     @Override
     public Reading falseReading(World world, double excess) {
         return new Reading(probability, probability, Quantity.RATIO.unit());

@@ -22,8 +22,8 @@ public final class Kinds {
      * An alternative form in which files may give values of a type.
      *
      * @param parts record class with the components of the form as written
-     * @param value converts it to the value; empty when that is unknown because of another mistake in the file. An
-     *     {@link IllegalArgumentException} states the mistake in the form
+     * @param value converts the form to the value; empty when the value is unknown because of another mistake in the
+     *     file. An {@link IllegalArgumentException} states a mistake in the form
      */
     public record OtherForm(Class<? extends Record> parts, Function<Record, Optional<?>> value) {}
 
@@ -39,7 +39,7 @@ public final class Kinds {
     /** Named settings that a file may use and partly override. */
     public interface NamedSettings {
         /**
-         * The settings with this name, as if they were written in the file.
+         * The settings with this name, as if they were written in the file; empty if there are none.
          *
          * @throws org.dronewatch.setting.InputException when they cannot be read
          */
@@ -49,8 +49,8 @@ public final class Kinds {
         Set<String> names();
 
         /**
-         * The parts of the system with this name, keyed by the suffix that each appends to the name of the entry in the
-         * file; none unless the name is that of a system.
+         * The parts of the system with this name, by the suffix that is appended to the name of the entry in the file
+         * to name the part; none unless the name is that of a system.
          */
         default Map<String, Node.Mapping> partsOf(String name) {
             return Map.of();
@@ -75,7 +75,8 @@ public final class Kinds {
      * These kinds, with an alternative form in which files may give values of a type: a record whose components have
      * names different from those of the type.
      *
-     * @param value converts the form to the value; empty when that is unknown because of another mistake in the file
+     * @param value converts the form to the value; empty when the value is unknown because of another mistake in the
+     *     file
      */
     public <T, F extends Record> Kinds with(Class<T> type, Class<F> parts, Function<F, Optional<T>> value) {
         List<OtherForm> forms = new ArrayList<>(otherForms(type));
@@ -100,7 +101,7 @@ public final class Kinds {
         return registered.containsKey(type) ? registered.get(type) : Choices.of(type);
     }
 
-    /** The named settings for a type. */
+    /** The named settings for a type; empty if there are none. */
     public Optional<NamedSettings> named(Class<?> type) {
         return Optional.ofNullable(named.get(type));
     }

@@ -7,14 +7,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** A node of a document with its location. Immutable; with an alias, one node appears at two locations. */
+/** A node of a document with its location. Immutable; an alias makes one node appear at two locations. */
 public sealed interface Node {
     /** The location of the node. */
     Mark mark();
 
     /**
-     * The location of the value whose path is at the beginning of a text, if this node holds values by name; otherwise
-     * the location of this node.
+     * The location of the value that a message is about, if this node holds values by name; otherwise the location of
+     * this node. The message begins with the path of the value, as in {@code alert.rule.count 5 must be}.
+     *
+     * @param text the message
      */
     default Mark markOf(String text) {
         return mark();
@@ -50,7 +52,7 @@ public sealed interface Node {
     /**
      * A list.
      *
-     * @param size its number of nodes
+     * @param size number of nodes, including this one
      */
     record Sequence(List<Node> items, Mark mark, long size) implements Node {
         static Sequence of(List<Node> items, Mark mark) {
@@ -62,7 +64,7 @@ public sealed interface Node {
      * Values by name, in their order.
      *
      * @param keys the location of each name
-     * @param size its number of nodes
+     * @param size number of nodes, including this one
      */
     record Mapping(Map<String, Node> values, Map<String, Mark> keys, Mark mark, long size) implements Node {
         static Mapping of(Map<String, Node> values, Map<String, Mark> keys, Mark mark) {
@@ -79,8 +81,8 @@ public sealed interface Node {
         }
 
         /**
-         * This mapping overlaid with the values of another one: mappings that both have are merged unless the other one
-         * names another kind; everything else is replaced.
+         * The values of this mapping, replaced by or completed with those of another. Where both hold a mapping under
+         * the same name, the two are merged instead, unless that of the other mapping names another kind.
          */
         public Mapping overlaidWith(Mapping over) {
             Map<String, Node> all = new LinkedHashMap<>(values);
@@ -131,8 +133,8 @@ public sealed interface Node {
         }
 
         /**
-         * The location of the value whose path is at the beginning of a text, as in {@code alert.rule.count 5 must be};
-         * for a value that the file omits, the location of the mapping that should hold it.
+         * The location of the value with whose path a message begins, as in {@code alert.rule.count 5 must be}; for a
+         * value that the file omits, the location of the mapping that should hold it.
          */
         @Override
         public Mark markOf(String text) {

@@ -17,8 +17,8 @@ public final class SettingsFile {
      * Reads a file.
      *
      * @param file of at most 1 MiB, in UTF-8
-     * @param type the record that it describes
-     * @param kinds among which to choose where the record has an interface
+     * @param type the type of record that the file describes
+     * @param kinds kinds that a component of an interface type may have
      * @param used receives the settings that are written under a former name
      * @throws InputException with a line for each mistake: file, line, column, setting, value and limit
      */
@@ -46,7 +46,7 @@ public final class SettingsFile {
     /**
      * The document in a stream.
      *
-     * @param name its name in messages
+     * @param name name of the stream in messages
      * @throws InputException when it is not such a document
      * @throws IOException when the stream cannot be read
      */
@@ -76,9 +76,9 @@ public final class SettingsFile {
      * The text of an equivalent YAML file for a record: numbers are exact and have units, and settings with their
      * default values are omitted.
      *
-     * @param kinds among which to choose where the record has an interface
+     * @param kinds kinds that a component of an interface type may have
      * @param from directory against which relative file names in the settings are resolved
-     * @param file that is to hold the text; file names in it are relative to its directory
+     * @param file that is to hold the text; file names in the text are relative to the directory of that file
      * @return the text, which has been read back and is equal to the settings
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory
@@ -104,10 +104,10 @@ public final class SettingsFile {
     /**
      * A record as a part of a document, as it would be written to a file.
      *
-     * @param type the type of the setting that holds it: its own, or an interface with kinds
-     * @param kinds among which to choose
+     * @param type the type of the setting that holds the record: the record's own type, or an interface with kinds
+     * @param kinds kinds that a component of an interface type may have
      * @param from directory against which relative file names in the settings are resolved
-     * @param file that is to hold the part; file names in it are relative to its directory
+     * @param file that is to hold the part; file names in the part are relative to the directory of that file
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory
      */
@@ -119,10 +119,10 @@ public final class SettingsFile {
     /**
      * A record as a part of a document with all its values, including those at their defaults.
      *
-     * @param type the type of the setting that holds it: its own, or an interface with kinds
-     * @param kinds among which to choose
+     * @param type the type of the setting that holds the record: the record's own type, or an interface with kinds
+     * @param kinds kinds that a component of an interface type may have
      * @param from directory against which relative file names in the settings are resolved
-     * @param file that is to hold the part; file names in it are relative to its directory
+     * @param file that is to hold the part; file names in the part are relative to the directory of that file
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory
      */

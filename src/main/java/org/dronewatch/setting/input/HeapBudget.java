@@ -4,8 +4,8 @@ import org.dronewatch.setting.InputException;
 
 /**
  * The memory that the content of one file may take: half of the heap that Java may use, so that a file that unpacks to
- * more is refused with a one-line message before memory runs out. The caller estimates how much is taken. One thread at
- * a time.
+ * more is refused with a one-line message before memory runs out. The caller estimates how much is taken. For use by
+ * one thread at a time.
  */
 public final class HeapBudget {
     private static final int MEBIBYTE = 1 << 20;
@@ -18,7 +18,7 @@ public final class HeapBudget {
     /**
      * The budget of this process.
      *
-     * @param file its name in messages
+     * @param file name of the file in messages
      * @param advice what the user can do instead, as the middle of a sentence
      */
     public HeapBudget(String file, String advice) {

@@ -23,7 +23,7 @@ public final class JsonText {
     /**
      * Reads a document that must fit into a budget of memory.
      *
-     * @param name its name in messages
+     * @param name name of the document in messages
      * @param budget memory for the document and its tree
      * @throws InputException with a one-line message when it is not JSON, or exceeds the budget
      */
@@ -58,7 +58,7 @@ public final class JsonText {
     /**
      * Reads a document.
      *
-     * @param name its name in messages
+     * @param name name of the document in messages
      * @throws InputException with a one-line message when it is not JSON
      */
     public static JsonNode read(String name, byte[] bytes) {

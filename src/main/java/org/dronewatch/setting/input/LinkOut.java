@@ -6,9 +6,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Rejects links that lead out of a scene's directory, so that a scene file from another author cannot read other files.
- * Names relative to the working directory and names that visibly lead elsewhere are accepted: scene files may not
- * contain such names, so the user chose them.
+ * Rejects symbolic links that lead out of a scene's directory, so that a scene file from another author cannot read
+ * other files. File names relative to the working directory and file names that visibly lead elsewhere are accepted:
+ * scene files may not contain such names, so the user chose them.
  */
 public final class LinkOut {
     private LinkOut() {}

@@ -38,8 +38,8 @@ public final class XmlText {
     /**
      * Reads a document.
      *
-     * @param name its name in messages
-     * @param root name of its outermost element
+     * @param name name of the document in messages
+     * @param root name of the document's outermost element
      * @param reading receives the document, positioned inside that element
      * @throws InputException with a one-line message when it is not such a document
      */

@@ -1,2 +1,5 @@
-/** Reading of files in any format: limits on their size and heap, their hashes, and the recognition of their kind. */
+/**
+ * Reading of files in any format: limits on their size and on the heap that they take, their hashes, and the
+ * recognition of their kind.
+ */
 package org.dronewatch.setting.input;

@@ -16,7 +16,7 @@ public final class AngularAbsorption {
     /**
      * A table.
      *
-     * @param table its rows, in order of increasing angle
+     * @param table rows of the table, in order of increasing angle
      * @throws IllegalArgumentException when it is empty, or an angle is not greater than the one before it
      */
     public AngularAbsorption(List<AbsorptionAtAngle> table) {
@@ -48,7 +48,7 @@ public final class AngularAbsorption {
     /**
      * The absorbed fraction in a band.
      *
-     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      */
     public double at(int band, double cosine) {
         double angle = Math.acos(Math.min(1.0, Math.max(0.0, cosine)));

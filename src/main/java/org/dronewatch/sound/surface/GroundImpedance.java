@@ -1,11 +1,12 @@
 package org.dronewatch.sound.surface;
 
 /**
- * The acoustic impedance of ground from one number, its effective flow resistivity, by the fit of M. E. Delany and E.
- * N. Bazley (Applied Acoustics 3, 105, 1970): {@code Z = 1 + 9.08 X^-0.75 + i 11.9 X^-0.73}, relative to that of air,
- * with {@code X = f / sigma} in Hz and kPa s/m2 and the time dependence {@code exp(-i w t)}. For ground it is used at
- * values of X far below those of the fibrous absorbents to which it was fitted, with a sigma that was itself fitted to
- * sound measured over that ground (T. F. W. Embleton, J. E. Piercy and G. A. Daigle, JASA 74, 1239, 1983).
+ * The acoustic impedance of ground from one number, its effective flow resistivity sigma, by the fit of M. E. Delany
+ * and E. N. Bazley (Applied Acoustics 3, 105, 1970): {@code Z = 1 + 9.08 X^-0.75 + i 11.9 X^-0.73}, relative to that of
+ * air, with {@code X = f / sigma}, the frequency f in Hz, sigma in kPa s/m2, and the time dependence
+ * {@code exp(-i w t)} at the angular frequency w. For ground, the fit is used at values of X far below those of the
+ * fibrous absorbents to which it was fitted, with a sigma that was itself fitted to sound measured over that ground (T.
+ * F. W. Embleton, J. E. Piercy and G. A. Daigle, JASA 74, 1239, 1983).
  *
  * @param flowResistivity sigma, kPa s/m2, above 0; infinite for rigid ground
  */

@@ -4,15 +4,17 @@ import org.dronewatch.sound.OctaveBands;
 
 /**
  * The mean energy of direct and ground-reflected sound together in an octave band: the average, uniform in lg f, of
- * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}, where Q is the spherical-wave
- * reflection coefficient of the ground and C the coherence. The caller accounts for spreading, air and directivity.
+ * {@code a1^2 + a2^2 |Q|^2 + 2 a1 a2 |Q| C cos(k (R2 - R1) + arg Q)}. The amplitude of the direct sound is a1, that of
+ * the reflected sound over rigid ground is a2, R1 and R2 are the lengths of their paths, k is the wavenumber, Q the
+ * spherical-wave reflection coefficient of the ground and C the coherence. The caller accounts for spreading, air and
+ * directivity.
  *
  * @param ground impedance of the ground
  * @param soundSpeed m/s, above 0
  * @param direct length of the direct path R1, m, above 0
  * @param reflected length of the reflected path R2, m, R1 or more
  * @param sourceHeight height of the source above the plane of the ground, m, 0 or more
- * @param receiverHeight height of the receiver above it, m, 0 or more
+ * @param receiverHeight height of the receiver above that plane, m, 0 or more
  * @param unevenness standard deviation s of the ground's height about the plane, m, 0 or more: the coherent fraction of
  *     the reflected wave is {@code exp(-2 (k s cos t)^2)}, with Rayleigh's roughness parameter {@code k s cos t}, the
  *     wavenumber k and the angle of incidence t

@@ -19,13 +19,13 @@ import org.dronewatch.sound.OctaveBands;
  * @param absorption fraction that is not reflected, 0 to 1, one for each of the eight bands
  * @param scattering fraction of the reflected energy that is scattered in all directions, 0 to 1, one for each band
  * @param transmissionLoss loss through the wall, 0 or more, one for each band, dB; none for an opaque wall
- * @param wall whether one surface is the whole wall
+ * @param wall whether the wall is a single surface or has a front and a back
  * @param speed speed of sound inside the wall, m/s; empty if it is unknown or the wall is opaque
  * @param source source of the figures
  * @param angular absorption as a function of the angle of incidence; {@code absorption} is then its mean in a diffuse
- *     field. Empty if it is the same at all angles
- * @param ground its impedance as ground, where direct and reflected sound interfere; empty to use that of the surface
- *     with the same name in the table of grounds, if there is one
+ *     field. Empty if absorption is the same at all angles
+ * @param ground impedance of the surface as ground, where direct and reflected sound interfere; empty to use the
+ *     impedance under the same name in the table of grounds, if there is one
  */
 public record SurfaceMaterial(
         String name,
@@ -42,7 +42,7 @@ public record SurfaceMaterial(
     public enum Wall {
         /** One surface is the whole wall, however thick the wall is. */
         SHEET,
-        /** A front and a back; the loss is applied once, on entry. */
+        /** The wall has a front and a back; the loss is applied once, on entry. */
         SOLID
     }
 
@@ -126,7 +126,7 @@ public record SurfaceMaterial(
     /**
      * The fraction that is reflected in a band.
      *
-     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      */
     public double reflected(int band, double cosine) {
         return angular.map(byAngle -> 1.0 - byAngle.at(band, cosine)).orElseGet(() -> reflected(band));

@@ -12,11 +12,11 @@ public final class SurfaceRoughness {
     private SurfaceRoughness() {}
 
     /**
-     * The fraction that is scattered: {@code 1 - exp(-g cos^2 t)}, with the g for which its mean over all directions,
-     * {@code 1 - (1 - exp(-g)) / g}, is the given fraction; but at most the given fraction: where the
-     * formula gives more, near normal incidence, the result is capped.
+     * The fraction that is scattered: {@code min(s, 1 - exp(-g cos^2 t))}, with the given fraction s, the angle of
+     * incidence t, and the roughness parameter g for which the mean of {@code 1 - exp(-g cos^2 t)} in a diffuse field,
+     * {@code 1 - (1 - exp(-g)) / g}, is s. The cap at s takes effect near normal incidence.
      *
-     * @param randomIncidence mean fraction over all directions, 0 to 1
+     * @param randomIncidence fraction s that is scattered in a diffuse field, 0 to 1
      * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      */
     public static double scattered(double randomIncidence, double cosine) {

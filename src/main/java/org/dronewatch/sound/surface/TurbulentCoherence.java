@@ -1,17 +1,18 @@
 package org.dronewatch.sound.surface;
 
 /**
- * The coherence of direct and ground-reflected sound in turbulent air: the factor by which their interference is
- * reduced, averaged over time. The refractive index fluctuates with the variance {@code m2} and the correlation
- * {@code exp(-r^2 / L^2)}; the coherence of two paths of length R, whose distance from each other grows to h, is then
- * {@code exp(-sqrt(pi) m2 k^2 R L (1 - rho))} with {@code rho = sqrt(pi) / 2 L / h erf(h / L)}.
+ * The coherence of direct and ground-reflected sound in turbulent air: the factor by which turbulence reduces their
+ * interference, on average over time. The refractive index fluctuates with the variance {@code m2} and the correlation
+ * {@code exp(-r^2 / L^2)} between points at a distance r; the coherence of two paths of length R, whose distance from
+ * each other grows to h, is then {@code exp(-sqrt(pi) m2 k^2 R L (1 - rho))} with
+ * {@code rho = sqrt(pi) / 2 L / h erf(h / L)} and the wavenumber k.
  *
  * <p>This includes the fluctuations of phase and of amplitude, as in the mean of the product of two waves (S. F.
  * Clifford and R. J. Lataitis, JASA 73, 1545, 1983): near the source all of the variance is in the phase; far from it,
  * beyond {@code k L^2}, half is in the phase and half in the logarithm of the amplitude, with the same sum. With the
  * phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent would be half as large beyond {@code k L^2}.
  *
- * @param strength variance of the refractive index: 0 without turbulence, about 1e-8 in calm air, 1e-4 in very
+ * @param strength variance m2 of the refractive index: 0 without turbulence, about 1e-8 in calm air, 1e-4 in very
  *     turbulent air
  * @param scale correlation length L, m, above 0
  */

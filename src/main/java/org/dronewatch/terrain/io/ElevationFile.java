@@ -6,8 +6,8 @@ import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.InputException;
 
 /**
- * A file of elevation posts, whose positions are known and whose heights are read when they are needed. One thread at a
- * time.
+ * A file of elevation posts, whose positions are known and whose heights are read when they are needed. For use by one
+ * thread at a time.
  */
 public interface ElevationFile {
     /** The name of the file in messages. */
@@ -23,13 +23,15 @@ public interface ElevationFile {
     Lattice lattice();
 
     /**
-     * The coordinate reference system that the file states, if it does.
+     * The coordinate reference system that the file states; empty if it states none.
      *
      * @throws InputException when it states a code that is not known
      */
     Optional<CoordinateReferenceSystem> crs();
 
-    /** The code of the system that the file states, known or not, such as {@code EPSG:25832}. */
+    /**
+     * The code of the system that the file states, known or not, such as {@code EPSG:25832}; empty if it states none.
+     */
     default Optional<String> statedCrs() {
         return crs().map(CoordinateReferenceSystem::name);
     }
@@ -49,7 +51,7 @@ public interface ElevationFile {
     /**
      * The heights of some posts, row by row, m; NaN for those without one.
      *
-     * @param window within the file
+     * @param window the columns and rows of the posts, all within the file
      * @throws IOException when the file ends early, or cannot be read
      * @throws InputException when it is damaged
      */

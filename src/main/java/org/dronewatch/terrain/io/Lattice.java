@@ -1,8 +1,8 @@
 package org.dronewatch.terrain.io;
 
 /**
- * The positions of a grid's posts on the map: that of column 0 and row 0, and the steps from column to column and from
- * row to row, all in the units of the map.
+ * The positions of a grid's posts on the map: the post of column 0 and row 0, and the steps from column to column and
+ * from row to row, all in the units of the map.
  *
  * @param x east coordinate of the first post
  * @param y north coordinate of the first post

@@ -24,8 +24,8 @@ import org.dronewatch.viewer.part.WrappedText;
 import org.dronewatch.viewer.run.RecordedRun;
 
 /**
- * Chooses another run, and states what differs between it and the one that is shown: the settings of sensors, and the
- * first detection of each drone by any sensor, and by each. For the event thread.
+ * Chooses another run, and states how it differs from the displayed one: in the settings of sensors, and in when each
+ * drone is first detected, by any sensor and by each sensor. For the event thread.
  */
 public final class ComparisonPanel extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -150,7 +150,7 @@ public final class ComparisonPanel extends JPanel {
         choice.setSelectedItem(run);
     }
 
-    /** The run that is chosen. */
+    /** The run that is chosen; empty if none is. */
     public Optional<OtherRun> chosen() {
         return choice.getSelectedItem() instanceof OtherRun run ? Optional.of(run) : Optional.empty();
     }

@@ -3,7 +3,7 @@ package org.dronewatch.viewer.beside;
 import org.dronewatch.viewer.run.RecordedRun;
 
 /**
- * A run with which the one that is shown can be compared.
+ * A run with which the displayed run can be compared.
  *
  * @param name under which users select it, such as {@code before the change}
  * @param run the run, of which only the part simulated so far is recorded

@@ -11,7 +11,7 @@ import javax.swing.JSlider;
 import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.part.Texts;
 
-/** Chooses which height of a coverage is shown, and whether it is shown. */
+/** Chooses which height of a coverage is shown, and whether the coverage is shown at all. */
 public final class CoverageHeights extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -76,7 +76,7 @@ public final class CoverageHeights extends JPanel {
         return slider.getValue();
     }
 
-    /** Chooses a height by its number. */
+    /** Chooses a height by its index, from 0 for the lowest. */
     public void choose(int number) {
         slider.setValue(number);
     }

@@ -21,7 +21,7 @@ import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.ViewedRun;
 
 /**
- * Computes a coverage and shows it as a skin over the site: a slider chooses the height, a check box for each sensor
+ * Computes a coverage and shows it as an overlay on the site: a slider chooses the height, a check box for each sensor
  * shows what is lost without it, and the cell under the pointer is described.
  */
 public final class CoveragePanel extends JPanel {
@@ -53,8 +53,8 @@ public final class CoveragePanel extends JPanel {
      *
      * @param threads number of threads that compute
      * @param layout where the user has put the sensors
-     * @param stores gives the store of what was computed before
-     * @param painter paints the skin
+     * @param stores returns the store of coverages computed before, for the settings of a run
+     * @param painter paints the overlay
      * @param failed receives what went wrong
      */
     public CoveragePanel(
@@ -215,7 +215,7 @@ public final class CoveragePanel extends JPanel {
         painter.setSkin(heights.isShown() ? shown.map(CoverageSkinning.Shown::skin) : Optional.empty());
     }
 
-    /** Shows or hides the skin. */
+    /** Shows or hides the overlay. */
     public void toggle() {
         heights.toggle();
     }
@@ -240,7 +240,7 @@ public final class CoveragePanel extends JPanel {
         return pointed.cell().map(there -> there.words().summary());
     }
 
-    /** Shows the progress. */
+    /** Updates the progress bar. */
     public void tick() {
         if (awaited != null) {
             int part = (int) (PARTS * computing.progress());
@@ -261,7 +261,7 @@ public final class CoveragePanel extends JPanel {
         return heights;
     }
 
-    /** The skin that is shown, with its coverage; empty until there is one. */
+    /** The overlay that is shown, with its coverage; empty until a coverage has been computed. */
     public Optional<CoverageSkinning.Shown> shown() {
         return shown;
     }

@@ -13,7 +13,10 @@ import org.dronewatch.report.coverage.table.LossWords;
 import org.dronewatch.report.coverage.table.MoveWords;
 import org.dronewatch.viewer.part.Latest;
 
-/** Makes skins of a coverage on a separate thread: at a height, without the sensors that are switched off. */
+/**
+ * Computes, on a separate thread, the overlays (skins) that show a coverage at one height, without the sensors that are
+ * switched off.
+ */
 public final class CoverageSkinning implements AutoCloseable {
     private final Latest thread;
 
@@ -21,7 +24,7 @@ public final class CoverageSkinning implements AutoCloseable {
      * What is shown of a coverage.
      *
      * @param off the sensors that are switched off
-     * @param words about what is covered
+     * @param words what is covered, as a text
      * @param fineness of what is shown while sensors are moved; empty if none was moved
      */
     public record Shown(

@@ -3,9 +3,9 @@ package org.dronewatch.viewer.coverage;
 import java.util.Optional;
 import org.dronewatch.render.SiteSkin;
 
-/** Paints the skin of a coverage over the site. */
+/** Paints the overlay (skin) of a coverage onto the site. */
 public interface SkinPainter {
-    /** Paints the site with another skin from now on, or without one; on the event thread. */
+    /** Sets the overlay with which the site is painted from now on; empty for none. On the event thread. */
     void setSkin(Optional<SiteSkin> skin);
 
     /** Whether something that was requested has not been painted yet; from any thread. */

@@ -11,7 +11,7 @@ import org.dronewatch.analysis.field.FieldDraft;
 import org.dronewatch.analysis.field.FieldRequest;
 import org.dronewatch.scenario.SceneSettings;
 
-/** A coverage that is shown, with what remains of it without some of its sensors. Thread-safe. */
+/** A displayed coverage, and what remains of it when some of its sensors are switched off. Thread-safe. */
 public final class ViewedCoverage {
     /** The number of sets of sensors for which the coverage is kept. */
     private static final int MOST_KEPT = 12;

@@ -10,10 +10,9 @@ import javax.imageio.ImageIO;
 import org.dronewatch.scenes.PackagedScene;
 
 /**
- * The pictures of the packaged scenes, by their names. They are drawn when the program is built, since drawing them
- * takes seconds.
+ * The pictures of the packaged scenes. They are drawn when the program is built, since drawing them takes seconds.
  *
- * @param byName a picture for each packaged scene
+ * @param byName a picture for each packaged scene, by the scene's name
  */
 public record ScenePictures(Map<String, BufferedImage> byName) {
     /** Width of a picture, in pixels. */
@@ -27,7 +26,7 @@ public record ScenePictures(Map<String, BufferedImage> byName) {
         byName = Map.copyOf(byName);
     }
 
-    /** Reads all of them; not for the event thread. */
+    /** Reads all pictures; not for the event thread. */
     public static ScenePictures read() {
         Map<String, BufferedImage> pictures = new LinkedHashMap<>();
         for (PackagedScene scene : PackagedScene.all()) {

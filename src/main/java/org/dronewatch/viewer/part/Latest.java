@@ -34,7 +34,7 @@ public final class Latest implements AutoCloseable {
         thread.start();
     }
 
-    /** Requests work; it receives a condition that becomes true once its result is no longer needed. */
+    /** Requests work, which receives a condition that becomes true once the result is no longer needed. */
     public synchronized void ask(Consumer<BooleanSupplier> work) {
         next = work;
         asked++;
@@ -86,7 +86,7 @@ public final class Latest implements AutoCloseable {
         return closed || asked != number;
     }
 
-    /** Ends the thread and waits until it is gone. */
+    /** Ends the thread and waits until it is gone, for at most 5 s. */
     @Override
     public void close() {
         synchronized (this) {

@@ -56,7 +56,7 @@ public final class Texts {
                 : "internal error: " + problem;
     }
 
-    /** A time, s. */
+    /** A time in s, such as {@code 12.50 s} or, from one minute on, {@code 1:05.00}. */
     public static String time(double seconds) {
         int minutes = (int) (seconds / 60.0);
         return minutes == 0
@@ -64,7 +64,10 @@ public final class Texts {
                 : String.format(Locale.ROOT, "%d:%05.2f", minutes, seconds - 60.0 * minutes);
     }
 
-    /** A measured value with three digits, or as a whole number; infinities in words. */
+    /**
+     * A measured value: a whole number from 1000 on, otherwise with one decimal from 10 on and two below; whole numbers
+     * without decimals, and infinities in words.
+     */
     public static String value(double value) {
         if (value == Double.NEGATIVE_INFINITY) {
             return "none";

@@ -1,2 +1,4 @@
-/** Parts of a window that know nothing of what it shows: sizes, texts, menu items and work in the background. */
+/**
+ * Parts of a window that do not depend on what the window shows: sizes, texts, menu items and work in the background.
+ */
 package org.dronewatch.viewer.part;

@@ -8,7 +8,7 @@ import java.util.List;
  * simulated. For use by one thread.
  */
 public final class Playback {
-    /** Speeds to choose from; the last is as fast as possible. */
+    /** Playback speeds to choose from, as multiples of real time; the last, infinity, is as fast as possible. */
     public static final List<Double> SPEEDS =
             List.of(0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, Double.POSITIVE_INFINITY);
 
@@ -78,7 +78,7 @@ public final class Playback {
         changed();
     }
 
-    /** Pauses, and steps by looks of the sensor that looks most often, forward or back. */
+    /** Pauses, and steps by a number of looks of the sensor with the highest rate, back if it is negative. */
     public void step(int looks) {
         playing = false;
         // The time goes from look to look, wherever between two looks it was.

@@ -13,7 +13,7 @@ import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
-/** One run, up to the time to which it has been simulated. Written by the thread that simulates, read by any. */
+/** One run, as far as it has been simulated. Written by the thread that simulates, read by any. */
 public final class RecordedRun {
     private final RunInfo info;
     private final Stage stage;
@@ -76,7 +76,7 @@ public final class RecordedRun {
         return number >= events.size() ? List.of() : List.copyOf(events.subList(number, events.size()));
     }
 
-    /** A sensor's last measurement of a drone up to a time. */
+    /** A sensor's last measurement of a drone up to a time; empty if there is none. */
     public synchronized Optional<PairReading> reading(String sensor, String drone, double time) {
         Readings known = readings.get(List.of(sensor, drone));
         return known == null ? Optional.empty() : known.at(time);

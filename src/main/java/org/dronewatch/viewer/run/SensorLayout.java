@@ -66,12 +66,12 @@ public final class SensorLayout {
         begin = inFile;
     }
 
-    /** Records that the layout as it is now was written to a file. */
+    /** Records that the current layout has been written to a file. */
     public void markSaved() {
         saved = settings;
     }
 
-    /** The sensors with unsaved changes: none if the layout is that of the scene. */
+    /** The sensors with unsaved changes; none if the layout is the one most recently saved, or that of the scene. */
     public Set<String> unsaved() {
         return isThere() && !settings.sensors().equals(saved.sensors())
                 ? changedFrom(begin == null ? original : begin)
@@ -155,7 +155,10 @@ public final class SensorLayout {
         return moved;
     }
 
-    /** A state of the site with the sensors as they are now; for those that were moved, no detections are known. */
+    /**
+     * The recorded state of the site with the sensors as they are now. If any have been moved, these are shown without
+     * detections, and the note is appended to the title.
+     */
     public SiteState in(SiteState recorded, String note) {
         Set<String> moved = moved();
         if (moved.isEmpty()) {

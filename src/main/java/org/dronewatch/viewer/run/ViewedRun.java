@@ -63,7 +63,10 @@ public final class ViewedRun {
         return drones.stream().anyMatch(drone -> run.isDetected(sensor, drone, time));
     }
 
-    /** A sensor's last measurement of each drone. */
+    /**
+     * A sensor's last measurement of each drone up to a time, by the drone's name; drones not measured yet are left
+     * out.
+     */
     public Map<String, PairReading> readings(String sensor, double time) {
         Map<String, PairReading> last = new HashMap<>();
         for (String drone : drones) {
@@ -73,7 +76,7 @@ public final class ViewedRun {
     }
 
     /**
-     * Where the sensor or drone with a given name is at a time, m.
+     * Where the sensor or drone with a given name is at a time, m; empty if there is none.
      *
      * @param layout the settings with the sensors where they are now
      */

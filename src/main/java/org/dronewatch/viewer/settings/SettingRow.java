@@ -17,18 +17,18 @@ import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * One setting of a tree of records that can be written as a line of text.
+ * One setting in a tree of records, whose value can be written as a line of text.
  *
- * @param path its path in the tree, as in {@code detection.pixels}
- * @param value its value with its unit, as it can be written; {@link #NONE} if it is not set
+ * @param path path of the setting in the tree, as in {@code detection.pixels}
+ * @param value value of the setting with its unit, as it can be written; {@link #NONE} if it is not set
  * @param allowed the values that it can have, in words; empty if any value is valid
- * @param quantity of a number
+ * @param quantity of a numeric value
  */
 public record SettingRow(String path, String value, String allowed, Quantity quantity) {
     /** The value of a setting that is not set. */
     public static final String NONE = "none";
 
-    /** All settings of a record, in its order. */
+    /** All settings of a record, in the order of its components. */
     public static List<SettingRow> of(Record settings) {
         List<SettingRow> rows = new ArrayList<>();
         addParts("", settings, rows);
@@ -36,7 +36,7 @@ public record SettingRow(String path, String value, String allowed, Quantity qua
     }
 
     /**
-     * A text as it is to be parsed: a number without a unit is given the unit in which the value is shown.
+     * The text to be parsed: a number without a unit is given the unit in which the value is shown.
      *
      * @param text what the user has typed
      */

@@ -3,10 +3,10 @@ package org.dronewatch.viewer.tape;
 import org.dronewatch.geometry.Position;
 
 /**
- * A straight line between two points of the site.
+ * The viewer's measuring tape: a straight line between two points of the site.
  *
- * @param from its beginning
- * @param to its end
+ * @param from beginning of the line
+ * @param to end of the line
  */
 public record Tape(End from, End to) {
     private static final double WHOLE_TURN = 360.0;
@@ -16,7 +16,7 @@ public record Tape(End from, End to) {
      *
      * @param name of the sensor or drone there; for another point, {@link #POINT}
      * @param place from which distances are measured, m
-     * @param eye from which the line of sight is traced, m: off the surface on which the place lies
+     * @param eye from which the line of sight is traced, m; slightly in front of the surface if the place lies on one
      */
     public record End(String name, Position place, Position eye) {
         /** The name of an end that is neither a sensor nor a drone. */
@@ -68,7 +68,7 @@ public record Tape(End from, End to) {
         return along().z();
     }
 
-    /** Direction of the end in plan view, clockwise from north, degrees from 0 to 360; NaN for a vertical line. */
+    /** Bearing of the end from the beginning, clockwise from north, degrees from 0 to 360; NaN for a vertical line. */
     public double bearingDeg() {
         if (horizontal() == 0.0) {
             return Double.NaN;
@@ -77,7 +77,7 @@ public record Tape(End from, End to) {
         return bearing < 0.0 ? bearing + WHOLE_TURN : bearing;
     }
 
-    /** Angle of the end above the horizon, degrees from -90 to 90. */
+    /** Elevation of the end above the horizontal, seen from the beginning, degrees from -90 to 90. */
     public double elevationDeg() {
         return Math.toDegrees(StrictMath.atan2(height(), horizontal()));
     }

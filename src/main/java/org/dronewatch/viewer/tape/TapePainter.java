@@ -18,8 +18,8 @@ import org.dronewatch.viewer.part.Scaled;
 import org.jogamp.vecmath.Point2d;
 
 /**
- * Paints a tape over a picture of the site: solid as far as the line of sight is clear, with a cross at what blocks it
- * and dashed behind that.
+ * Paints a tape over a picture of the site: solid as far as the line of sight is clear, with a cross where it is
+ * blocked, and dashed beyond the cross.
  *
  * @param pixels the pixel at which a place is drawn; empty where it is out of the picture
  */
@@ -37,7 +37,7 @@ public record TapePainter(Function<Position, Optional<Point2d>> pixels) {
     private static final double WIDTH = 2.5;
     private static final double END = 4.5;
 
-    /** Paints a tape, or only its beginning while it has no end. */
+    /** Paints a tape; without a reading, as if its line of sight were clear. */
     public void paint(Graphics2D g, Tape tape, Optional<TapeReading> reading) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);

@@ -9,9 +9,10 @@ import org.dronewatch.report.html.BlockerWords;
 import org.dronewatch.viewer.part.Texts;
 
 /**
- * What a tape shows.
+ * What the viewer's measuring tape shows: distances along a straight line between two points, and what blocks the line
+ * of sight.
  *
- * @param tape the line
+ * @param tape the measured line
  * @param blocked what blocks the line of sight; empty if it is clear
  */
 public record TapeReading(Tape tape, Optional<Blocked> blocked) {

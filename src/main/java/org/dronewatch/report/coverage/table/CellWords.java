@@ -96,7 +96,10 @@ public final class CellWords {
         return String.format(Locale.ROOT, "%.2f", value);
     }
 
-    /** Why a sensor, given by its index, does not detect the drone, or that it does; from the field alone. */
+    /**
+     * Why a sensor, given by its index, does not detect the drone, or that it does; from the field alone. Empty where
+     * no drone can be.
+     */
     public String cause(int sensor) {
         if (!coverage.field().isOpen(height, column, row)) {
             return "";
@@ -153,7 +156,10 @@ public final class CellWords {
         };
     }
 
-    /** The difference between signal and threshold: {@code +3.2 dB}, or that there is no signal. */
+    /**
+     * The difference between signal and threshold: {@code +3.2 dB}, or {@code no signal}; empty if it is positive and
+     * infinite.
+     */
     public static String margin(GapEvidence.Examined examined) {
         Assessment assessment = examined.assessment();
         double margin = assessment.margin();
@@ -165,8 +171,8 @@ public final class CellWords {
     }
 
     /**
-     * Why a sensor, given by its index, does not detect the drone, with the object that hides it or the limit that
-     * applies.
+     * Why a sensor, given by its index, does not detect the drone, with the object that hides the drone or the limit
+     * that applies.
      */
     public String reason(int sensor, GapEvidence.Examined examined) {
         String name = coverage.field().sensors().get(sensor);

@@ -14,8 +14,10 @@ public final class ConditionTable {
     private ConditionTable() {}
 
     /**
-     * The fractions that are covered and lost, and the sensor that covers most.
+     * For each height and condition, the fractions of the known cells that are covered and lost, and the sensor that
+     * covers most.
      *
+     * @param conditions the first is the scene as it is
      * @param covered the probability with which a sensor must detect the drone, 0.008 to 0.996, or 1
      */
     public static List<String> lines(List<ConditionCoverage> conditions, double covered) {

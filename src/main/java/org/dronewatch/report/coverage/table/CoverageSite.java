@@ -9,7 +9,7 @@ import org.dronewatch.scenario.SceneSettings;
  * The site whose coverage was assessed.
  *
  * @param settings of the scene
- * @param stage its world, its protected zones and the credits of its data
+ * @param stage the site's world, its protected zones and the credits of its data
  */
 public record CoverageSite(SceneSettings settings, Stage stage) {
     /** Where the enabled sensors are, m. */

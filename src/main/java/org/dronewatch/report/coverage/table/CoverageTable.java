@@ -38,7 +38,7 @@ public final class CoverageTable {
      * The fractions of the cells with ground in which each sensor detects the drone and, by cause, misses it; a line
      * for each sensor, a column for each cause that occurs.
      *
-     * @param causes number of cells for each, by sensor: {@link Coverage#causes}
+     * @param causes number of cells for each cause, by sensor, as {@link Coverage#causes} returns it
      */
     public static List<String> causes(Coverage coverage, Map<String, Map<Cause, Integer>> causes) {
         CauseColumns columns = CauseColumns.of(causes.values());
@@ -73,7 +73,7 @@ public final class CoverageTable {
         };
     }
 
-    /** A fraction of cells: 100.0 only for all of them, a dash for none. */
+    /** A fraction of cells, in percent: {@code 100.0} only for all of them, a dash for none. */
     public static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
         if (cells == 0) {

@@ -10,16 +10,17 @@ import org.dronewatch.analysis.field.Warning;
 import org.dronewatch.report.CompassPoint;
 
 /**
- * The least warning of some inbound flights, and all flights whose warning is written as the same time.
+ * The shortest warning time of some inbound flights, and all flights whose warning time is the same once rounded for
+ * printing.
  *
- * @param time in words; empty where the drone arrives undetected
- * @param isFromStart whether it is a lower bound
- * @param flights those with this warning, in their order
+ * @param time the warning time in words; empty where the drone arrives undetected
+ * @param isFromStart whether the time is a lower bound
+ * @param flights the flights with this warning time, in their order
  * @param of the number of all flights
  */
 public record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int of) {
     /**
-     * The least warning.
+     * The shortest warning time of the given flights; an undetected arrival counts as the shortest.
      *
      * @param all at least one flight
      * @param words writes a time, s
@@ -35,8 +36,9 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
     }
 
     /**
-     * In words, the least warning from the bearings that have one, such as {@code 12.4 s or more}, or {@code 12.4 s} if
-     * it is the only one; empty unless there are such bearings and others. No line breaks between number and unit.
+     * In words, the shortest warning time over the bearings with any warning: {@code 12.4 s or more}, or {@code 12.4 s}
+     * if only one bearing has a warning; empty if all bearings have one, or none has. No line breaks between number and
+     * unit.
      *
      * @param words writes a time, s
      */
@@ -53,7 +55,7 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
         return one.time().isPresent() ? words.apply(one.time().getAsDouble()) : "";
     }
 
-    /** Whether a drone arrives undetected. */
+    /** Whether there is no shortest warning time, because a drone arrives undetected. */
     public boolean isNone() {
         return time.isEmpty();
     }

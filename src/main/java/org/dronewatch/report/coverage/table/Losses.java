@@ -26,14 +26,14 @@ public final class Losses {
     private final List<String> sensors;
 
     /**
-     * A figure for all heights together, which stands beside those of single heights although it is based on other
-     * headings of the drone than they are.
+     * A figure for all heights together, shown beside the figures of single heights although it is based on other
+     * headings of the drone.
      *
      * @param introduction sentences that explain this difference
      * @param coverage what the figures of each height are, such as {@code the coverage of inbound flight}
-     * @param head heading of its column
-     * @param all with all sensors
-     * @param without without each sensor, by its name
+     * @param head title of its column
+     * @param all the figure with all sensors
+     * @param without the figure without each sensor, by the sensor's name
      */
     public record OtherFigure(
             String introduction, String coverage, String head, String all, Map<String, String> without) {
@@ -55,7 +55,7 @@ public final class Losses {
         return html(Optional.empty());
     }
 
-    /** The same, perhaps with another figure in the first column. */
+    /** The section as {@link #html()} returns it, with another figure in the first column if one is given. */
     public String html(Optional<OtherFigure> other) {
         StringBuilder html = new StringBuilder();
         html.append(Html.plain(
@@ -135,7 +135,9 @@ public final class Losses {
                 && height.lost().get(sensor) >= MOST_OF_IT * height.covered();
     }
 
-    /** The failure that costs most, for the verdict; empty if none costs anything. */
+    /**
+     * The sensor whose failure loses the most coverage, in a sentence for the verdict; empty if no failure loses any.
+     */
     public Optional<String> worstInWords() {
         String worst = "";
         HeightSummary where = null;
@@ -162,7 +164,7 @@ public final class Losses {
                         percent(where.covered(), where)));
     }
 
-    /** The sensors that add nothing. */
+    /** The sensors that add nothing, in sentences. */
     public String idle() {
         return idle(THIS);
     }

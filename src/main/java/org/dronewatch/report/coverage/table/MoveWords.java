@@ -24,7 +24,7 @@ public final class MoveWords {
             this.words = words;
         }
 
-        /** Its name in one word. */
+        /** The name, in one word. */
         public String word() {
             return word;
         }
@@ -37,10 +37,10 @@ public final class MoveWords {
      * before 'radar' was moved, it was 43.3 % (+1.8).}
      *
      * @param before the coverage before the move, at the same height
-     * @param now the coverage after it
+     * @param now the coverage after the move
      * @param off the sensors that are left out both before and now; may be empty
      * @param moved the sensors that were moved
-     * @param reduced those of the moved sensors for which only signals along deterministic paths count
+     * @param reduced the moved sensors for which only signals along deterministic paths count
      */
     public static String sentence(
             RemainingCoverage before,

@@ -17,7 +17,7 @@ import org.dronewatch.report.CompassPoint;
  *
  * @param at its position, m
  * @param name what it is, such as {@code the centroid of the sensors}
- * @param geodesy for geographic coordinates, where the scene has an origin
+ * @param geodesy converts to geographic coordinates; empty if the scene has no origin
  */
 public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
     /** The target of inbound flights. */

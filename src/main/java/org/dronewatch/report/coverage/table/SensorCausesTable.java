@@ -11,8 +11,8 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.setting.Counted;
 
 /**
- * Why each sensor of a scene misses the drone, in the known cells of all heights: the dominant causes are those of the
- * sensor that comes nearest to a detection, and hide those of the others.
+ * Why each sensor of a scene misses the drone, in the known cells of all heights. The dominant cause of a cell, by
+ * contrast, is only that of the sensor that comes nearest to a detection.
  */
 public final class SensorCausesTable {
     /** With more than one sensor beyond this number, only this many rows are printed. */
@@ -50,7 +50,7 @@ public final class SensorCausesTable {
      * The lines of the table; empty for a single sensor, whose causes are the dominant ones.
      *
      * @param inputs of the coverage
-     * @param report where the sensors that are not printed are found, such as {@code in field/report.html}
+     * @param report where to find the sensors that are not printed, such as {@code in field/report.html}
      */
     public List<String> lines(CoverageInputs inputs, String report) {
         List<String> lines = new ArrayList<>();

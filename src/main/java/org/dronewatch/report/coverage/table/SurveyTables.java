@@ -33,7 +33,7 @@ public final class SurveyTables {
     /**
      * The tables of what was completed, separated by empty lines.
      *
-     * @param report where the sensors of a table are found that are not printed
+     * @param report where to find the sensors that are not printed, such as {@code in field/report.html}
      */
     public static List<String> lines(FieldSurvey survey, CoverageInputs inputs, String report) {
         List<List<String>> tables = new ArrayList<>(causes(survey.summary(), inputs, report));

@@ -18,8 +18,8 @@ public final class WarningTable {
     private WarningTable() {}
 
     /**
-     * For each height, the shortest warning and its bearing, the median, and how many bearings give no warning or too
-     * little.
+     * For each height, the shortest warning time and its bearing, the median, and how many bearings give no warning, or
+     * one that comes too late.
      *
      * @param covered the probability with which a sensor must detect the drone, 0.008 to 0.996, or 1
      */
@@ -56,7 +56,7 @@ public final class WarningTable {
         return warnings.all().stream().mapToDouble(Warning::height).distinct().toArray();
     }
 
-    /** The least warning, with its bearings. */
+    /** The shortest warning time, with its bearings. */
     public static String least(List<Warning> warnings) {
         return least(LeastWarning.of(warnings, WarningTable::seconds), warnings);
     }
@@ -67,14 +67,15 @@ public final class WarningTable {
     }
 
     /**
-     * The least warning, with its bearings, and, if some bearings give no warning, the least warning from the others.
+     * The shortest warning time, with its bearings, and, if some bearings give no warning, the shortest from the
+     * others.
      */
     public static String leastAndOthers(List<Warning> warnings) {
         return leastAndOthers(warnings, WarningTable::seconds);
     }
 
     /**
-     * The least warning in words, as {@link #leastAndOthers(List)} gives it, but with times in a given format.
+     * The shortest warning time in words, as {@link #leastAndOthers(List)} gives it, but with times in a given format.
      *
      * @param words writes a time, s
      */

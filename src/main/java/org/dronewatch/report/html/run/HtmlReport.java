@@ -32,7 +32,7 @@ public final class HtmlReport {
     /** Provides the site of a run when the report needs it. */
     @FunctionalInterface
     public interface Views {
-        /** The site of a run and its images. */
+        /** The site of a run, with images of it. */
         RunView of(RunResult run) throws IOException;
     }
 

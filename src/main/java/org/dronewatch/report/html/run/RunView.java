@@ -7,7 +7,7 @@ import org.dronewatch.run.Stage;
 /**
  * The site and images of one run for the report.
  *
- * @param stage its site
+ * @param stage the site of the run
  * @param pictures images of the site
  */
 public record RunView(Stage stage, List<Figure> pictures) {

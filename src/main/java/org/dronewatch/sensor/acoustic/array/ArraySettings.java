@@ -16,7 +16,8 @@ import org.dronewatch.sound.Levels;
  * @param aperture length of a line, or diameter of a ring or a sphere, above 0 and at most 100 m
  * @param shape arrangement of the microphones
  * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, due to errors in the
- *     positions, phases and gains of the microphones and to the air, 0 to pi/6 rad; one degree is assumed
+ *     positions, phases and gains of the microphones and to the air, 0 to pi/6 rad; the default of one degree is an
+ *     assumption
  * @param axis direction of a horizontal line, clockwise from north, rad; it has no effect for other shapes
  */
 public record ArraySettings(
@@ -72,17 +73,20 @@ public record ArraySettings(
         return SettingsForm.with(this, "shape", other);
     }
 
-    /** This array with another calibration error, rad. */
+    /** This array with another standard deviation of the measured direction, rad. */
     public ArraySettings withAccuracy(double radians) {
         return SettingsForm.with(this, "accuracy", radians);
     }
 
-    /** This array along another direction, clockwise from north, rad. */
+    /** This array with another direction of its line, clockwise from north, rad. */
     public ArraySettings withAxis(double bearing) {
         return SettingsForm.with(this, "axis", bearing);
     }
 
-    /** Gain in signal-to-noise ratio over one microphone against incoherent noise, {@code 10 lg N}, dB. */
+    /**
+     * Gain in signal-to-noise ratio over one microphone against incoherent noise, {@code 10 lg N} for N microphones,
+     * dB.
+     */
     public double gain() {
         return Levels.ofRatio(microphones);
     }
@@ -97,8 +101,9 @@ public record ArraySettings(
     }
 
     /**
-     * The half-power width of the main lobe, rad: for a line of N microphones at a spacing d, the broadside width
-     * {@code 0.886 lambda / (N d)}; for other shapes, about that of a line as long as their diameter.
+     * The half-power width of the main lobe at a wavelength lambda, rad: for a line of N microphones at a spacing d,
+     * the broadside width {@code 0.886 lambda / (N d)}; for other shapes, about that of a line as long as their
+     * diameter.
      *
      * @param wavelength m, above 0
      */
@@ -106,7 +111,7 @@ public record ArraySettings(
         return 0.886 * wavelength / (shape == Shape.LINE ? microphones * spacing() : aperture);
     }
 
-    /** Whether it measures a direction, rather than an angle to a line. */
+    /** Whether the array measures a direction, rather than an angle to a line. */
     public boolean findsDirections() {
         return shape != Shape.LINE;
     }

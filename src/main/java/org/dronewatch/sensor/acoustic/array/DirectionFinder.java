@@ -14,11 +14,12 @@ import org.dronewatch.sound.OctaveBands;
  * the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach
  * once the sound is detected. In a narrow band, the inverse of the variance of an angle is
  * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the
- * wavenumber k, N microphones, and the sum D of the squared distances of the microphones from their centre, projected
- * onto the vector along which the sound's direction changes with that angle. The contributions of all bands are added,
- * each with a number of snapshots equal to its width times the duration of a look. Bands in which neighbouring
- * microphones are more than half a wavelength apart are left out, since their directions are ambiguous. The error of
- * the array itself is added in quadrature. Immutable.
+ * wavenumber k, N microphones, and the sum D of the squares of the microphones' positions relative to their centre,
+ * each projected onto the derivative of the sound's unit direction vector with respect to the angle. The contributions
+ * of all bands are added, each with a number of snapshots equal to its width times the duration of a look. Bands in
+ * which neighbouring microphones are more than half a wavelength apart are left out, since their directions are
+ * ambiguous. The standard deviation due to the array itself ({@link ArraySettings#accuracy}) is added in quadrature.
+ * Immutable.
  */
 public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */
@@ -110,12 +111,12 @@ public final class DirectionFinder {
     }
 
     /**
-     * A measurement, with its random error.
+     * A measured direction of the source, with a random error.
      *
      * @param array position of the array, m
      * @param source position of the source, m
      * @param ratios signal-to-noise ratio of one microphone in each octave band, dB
-     * @return empty if the array finds no direction; an elevation that it cannot measure is set to 0
+     * @return empty if the array finds no direction; an elevation that the array cannot measure is set to 0
      */
     public Optional<Found> find(Position array, Position source, double[] ratios, RandomGenerator random) {
         Position vector = source.minus(array);

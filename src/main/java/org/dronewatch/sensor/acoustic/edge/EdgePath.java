@@ -10,9 +10,9 @@ import org.dronewatch.world.World;
 /**
  * The shortest path around the obstacles between two points, over any number of edges: the shortest convex path within
  * any one plane through both points. {@value #PLANES} planes are tried, more if no path is found, and the best ones are
- * rotated until the path cannot be shortened. For a single straight edge, this is the globally shortest path; over
- * several, it is the path used by the standards, which treat propagation in separate planes. A path through an opening
- * that none of the planes intersects is not found.
+ * rotated about the line between the points until the path cannot be shortened. For a single straight edge, this is the
+ * globally shortest path; over several, it is the path used by the standards, which treat propagation in separate
+ * planes. A path through an opening that none of the planes intersects is not found.
  *
  * <p>Short detours are tried first, so that only obstacles near the straight line are examined if that suffices.
  * Exchanging the points gives the same path. For use by one thread.
@@ -77,7 +77,7 @@ public final class EdgePath {
      * Searches for the shortest path around the obstacles between two points that are not mutually visible, in still
      * air.
      *
-     * @return whether one was found
+     * @return whether a path was found
      */
     public boolean find(Position source, Position sensor) {
         return find(source, sensor, 0.0);
@@ -88,7 +88,7 @@ public final class EdgePath {
      * obstructed.
      *
      * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m
-     * @return false where none was found
+     * @return whether a path was found
      */
     public boolean find(Position source, Position sensor, double bending) {
         curvature = bending;
@@ -117,8 +117,9 @@ public final class EdgePath {
     }
 
     /**
-     * The path difference between the last path found and the straight line, 0 or more, m: if sound travels in arcs,
-     * the difference between their travel times, multiplied by the speed of sound on the straight line.
+     * The path difference between the last path found and the straight line, 0 or more, m; infinite if no path was
+     * found. If sound travels in arcs, this is the difference between their travel times, multiplied by the speed of
+     * sound on the straight line.
      */
     public double pathDifference() {
         return pathDifference;
@@ -136,8 +137,8 @@ public final class EdgePath {
 
     /**
      * The path difference between the arcs of the last path found, from edge to edge, and the unobstructed arc from end
-     * to end, m. Sound on an arc travels faster at greater heights, so this is more than {@link #pathDifference};
-     * CNOSSOS-EU uses it if sound bends down.
+     * to end, m. Sound that bends down travels faster at greater heights, so this is then more than
+     * {@link #pathDifference}; CNOSSOS-EU uses this difference in that case.
      */
     public double arcDifference() {
         return arcDifference;
@@ -149,22 +150,22 @@ public final class EdgePath {
     }
 
     /**
-     * The number of other paths that cannot be shortened either and are nearly as short, such as the one around the
-     * side of a house if the shortest one leads over its roof.
+     * The number of paths that cannot be shortened and are nearly as short as the shortest, such as the one around the
+     * side of a house if the shortest one leads over its roof. The shortest path itself may be among them.
      */
     public int others() {
         return minima;
     }
 
     /**
-     * The edges of one of the paths that {@link #others} counts. The shortest path may be among these; it is then
-     * returned as a path without edges and with an infinite detour.
+     * The edges of one of the paths that {@link #others} counts. For the shortest path, which {@link #edges} gives, the
+     * result is a path without edges and with an infinite detour.
      */
     public EdgeSequence other(int number) {
         return number == ofShortest ? NONE : ofMinima[number];
     }
 
-    /** Sine of the elevation at which the path leaves the source. */
+    /** Sine of the elevation at which the path leaves the source; negative downward. */
     public double sinElevation() {
         return line.isExchanged() ? lastRise : firstRise;
     }

@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.acoustic.edge;
 
 /**
- * The edges of one path around an obstacle, in order, with their positions along the path and the angles by which it
- * bends.
+ * The edges of one path around an obstacle, in order, with their positions along the path and the angles by which the
+ * path bends.
  */
 public final class EdgeSequence {
     private double detour = Double.POSITIVE_INFINITY;
@@ -77,7 +77,7 @@ public final class EdgeSequence {
     }
 
     /**
-     * The angle by which the outline of the obstacle bends at the sharpest of its edges, rad: pi for the edge of a
+     * The largest angle by which the outline of the obstacle bends at an edge of the path, rad: pi for the edge of a
      * sheet.
      */
     public double bend() {

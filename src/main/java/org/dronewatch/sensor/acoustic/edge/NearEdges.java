@@ -12,15 +12,16 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * Finds the edges close to an unobstructed line of sight that would obstruct it if it passed on their other side. Only
- * bends in the outline of an obstacle are edges: seams in flat surfaces and valleys are not. For use by one thread.
+ * Finds the edges close to an unobstructed line of sight that would obstruct the line if it passed on their other side.
+ * Only bends in the outline of an obstacle are edges: seams in flat surfaces and valleys are not. For use by one
+ * thread.
  */
 public final class NearEdges {
     /**
      * An edge near a line of sight.
      *
-     * @param detour path difference between the path that touches it and the line, 0 or more, m
-     * @param bend angle by which the outline of the obstacle bends there, rad; pi for the edge of a sheet
+     * @param detour length of the path that touches the edge minus that of the straight line, 0 or more, m
+     * @param bend angle by which the outline of the obstacle bends at the edge, rad; pi for the edge of a sheet
      * @param material index of the material of a triangle at the edge
      */
     public record NearEdge(double detour, double bend, int material) {}

@@ -10,7 +10,7 @@ import org.dronewatch.sound.OctaveBands;
  * by time of arrival, integrated backward (Schroeder, "New method of measuring reverberation time", JASA 37, 1965).
  */
 public final class DecayCurve {
-    /** Width of a bin, s. */
+    /** Width of a time bin, s. */
     public static final double BIN = 2e-3;
 
     private static final int BANDS = OctaveBands.COUNT;
@@ -102,9 +102,9 @@ public final class DecayCurve {
     }
 
     /**
-     * Reverberation time T30 of an octave band, s.
+     * Reverberation time T30 of an octave band, s; empty when the band's curve does not fall far enough.
      *
-     * @param band index of the band, 0 for 63 Hz
+     * @param band 0 for 63 Hz to 7 for 8 kHz
      */
     public OptionalDouble t30(int band) {
         return t30(levels(band, band + 1));

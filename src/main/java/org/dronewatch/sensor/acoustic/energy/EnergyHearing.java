@@ -62,7 +62,7 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * Takes one look: levels in octave bands.
+     * Takes one look, which gives levels in octave bands.
      *
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
@@ -189,7 +189,8 @@ public final class EnergyHearing implements SoundTracer {
 
     /**
      * {@inheritDoc} Directivities depend on the elevation alone. The radial speed shifts the lines of a spectrum, which
-     * matter to the narrow-band criterion; an emission of another kind may depend on the state of flight.
+     * matter to the narrow-band criterion; an emission that the settings alone do not determine may depend on the state
+     * of flight.
      */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {
@@ -204,8 +205,8 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} In a space that retains at least half of the sound, these are its decay and the reverberation time
-     * in each octave band; otherwise there are none.
+     * {@inheritDoc} In a space that retains at least half of the sound, the curves are the decay of the sound and the
+     * reverberation time in each octave band; otherwise there are none.
      */
     @Override
     public List<Curve> curves(Drone drone, RandomGenerator random) {

@@ -101,8 +101,8 @@ public record EnergyModel(
         /** The energies of direct and ground-reflected sound are added, as are those of all other paths. */
         INCOHERENT,
         /**
-         * Direct and ground-reflected sound interfere, with the coherence that turbulence leaves: a spherical wave over
-         * the ground's impedance, averaged over each band.
+         * Direct and ground-reflected sound interfere, with the spherical-wave reflection coefficient of an impedance
+         * ground and the coherence that remains after turbulence, averaged over each band.
          */
         COHERENT
     }
@@ -128,7 +128,7 @@ public record EnergyModel(
                 pressure);
     }
 
-    /** This model with another number of rays. */
+    /** This model with another maximum number of rays. */
     public EnergyModel withRays(int number) {
         return SettingsForm.with(this, "rays", number);
     }
@@ -143,7 +143,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "roulette", fraction);
     }
 
-    /** This model with another number of surfaces that a ray may hit. */
+    /** This model with another maximum number of surfaces that a ray may hit. */
     public EnergyModel withMaxOrder(int orders) {
         return SettingsForm.with(this, "maxOrder", orders);
     }
@@ -227,7 +227,7 @@ public record EnergyModel(
                 : List.of("turbulence has no effect without 'ground: coherent'");
     }
 
-    /** The speed of sound in the scene's air. */
+    /** The speed of sound in the scene's air, m/s. */
     @Override
     public double signalSpeed(World world) {
         return world.atmosphere().speedOfSound();

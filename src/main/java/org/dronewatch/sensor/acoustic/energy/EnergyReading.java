@@ -11,17 +11,18 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * The result of one look of an acoustic sensor at one drone, in the energy model. Energies are per octave band and
- * relative to the square of a sound pressure of 20 uPa, so that {@code 10 lg} of each is a sound pressure level.
+ * The result of one look of an acoustic sensor at one drone, in the energy model. Energies are mean-square sound
+ * pressures by octave band, relative to (20 uPa)^2, so that {@code 10 lg} of each is a sound pressure level.
  *
  * @param direct energy on the straight path, including transmission through walls; exact
  * @param diffracted energy diffracted around the edges of the obstacles that hide the drone
  * @param mirrored energy on paths of specular reflections alone; exact
  * @param reverberant energy on all other paths; estimated
  * @param traced number of ray segments that were traced
- * @param standardError standard error of the level on which detection is based, from the scatter among rays, dB
- * @param isConverged whether the level rests on more than a few rays; false for silence, since rays may have missed the
- *     only path
+ * @param standardError standard error of the level on which detection is based, from the scatter among rays, dB; 0 for
+ *     silence
+ * @param isConverged whether exact paths or enough rays determine the level; false if nothing is heard of a source that
+ *     emits sound, since rays may have missed the only path
  * @param audit energy balance of the rays
  * @param decay decay of the sound
  */
@@ -45,24 +46,24 @@ public record EnergyReading(
     }
 
     /**
-     * This reading, without the contribution of rays if too few contributed: the exact paths alone. The standard error
-     * remains that of the whole: these paths are exact, but it is uncertain how much of the total sound they carry.
+     * This reading or, if too few rays contributed, its exact paths alone. The standard error remains that of the whole
+     * reading: the paths are exact, but it is uncertain how much of the total sound they carry.
      */
     public EnergyReading settled() {
         return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
     }
 
-    /** Energy in a band, relative to the square of 20 uPa. */
+    /** Mean-square sound pressure in a band, relative to (20 uPa)^2. */
     public double energy(int band) {
         return direct.get(band) + diffracted.get(band) + mirrored.get(band) + reverberant.get(band);
     }
 
-    /** Sound pressure level in a band, dB; minus infinity for silence. */
+    /** Sound pressure level in a band, dB re 20 uPa; minus infinity for silence. */
     public double level(int band) {
         return Levels.ofRatio(energy(band));
     }
 
-    /** Total sound pressure level of all bands, dB. */
+    /** Total sound pressure level of all bands, without weighting, dB re 20 uPa. */
     public double totalLevel() {
         double energy = 0.0;
         for (int band = 0; band < OctaveBands.COUNT; band++) {
@@ -71,20 +72,21 @@ public record EnergyReading(
         return Levels.ofRatio(energy);
     }
 
-    /** A-weighted total sound pressure level, dB. */
+    /** A-weighted total sound pressure level, dB re 20 uPa. */
     public double aWeightedLevel() {
         return aWeighted(this::energy);
     }
 
     /**
-     * A-weighted level of the direct and diffracted sound, dB; with {@code ground: coherent}, the reflection from the
-     * ground is part of the direct sound, with which it interferes.
+     * A-weighted level of the direct and diffracted sound, dB re 20 uPa. The direct sound includes the reflection from
+     * the ground with {@code ground: coherent}, unless other reflections carry more energy, and wherever the air bends
+     * the paths.
      */
     public double directLevel() {
         return aWeighted(band -> direct.get(band) + diffracted.get(band));
     }
 
-    /** A-weighted level of all reflected sound, dB. */
+    /** A-weighted level of all other sound, dB re 20 uPa: specular reflections, and sound that was scattered. */
     public double reverberantLevel() {
         return aWeighted(band -> mirrored.get(band) + reverberant.get(band));
     }
@@ -97,7 +99,7 @@ public record EnergyReading(
         return Levels.ofRatio(energy);
     }
 
-    /** The band in which this sound is highest above a background. */
+    /** The octave band in which this sound is highest above a background: 0 for 63 Hz to 7 for 8 kHz. */
     public int bestBand(BandLevels background) {
         int best = 0;
         for (int band = 1; band < OctaveBands.COUNT; band++) {

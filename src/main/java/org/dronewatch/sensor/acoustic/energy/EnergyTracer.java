@@ -24,8 +24,8 @@ import org.dronewatch.world.World;
  * tracing rays backward from the sensor: the efficiency of this method does not depend on the distance of the source,
  * and by reciprocity, the fraction of the rays' energy that reaches the source is the fraction that the source would
  * have sent to the sensor. The first few surfaces of a path from the source are also sampled by rays from the source,
- * and both parts are connected. If the source is in a more sheltered position than the sensor,
- * the two exchange roles.
+ * and the two parts of a path are connected. If the source is in a more sheltered position than the sensor, the two
+ * exchange roles.
  *
  * <p>Rays are traced in batches, on the {@link Workers} of the calling thread. Each batch has a separate random stream,
  * and batches are counted in order up to the one that makes the reading accurate enough: the reading is the same for
@@ -62,7 +62,8 @@ public final class EnergyTracer {
     /**
      * A tracer to one sensor.
      *
-     * @param sensor its position, m; if the sensor lies on a surface, a point just in front of that surface
+     * @param sensor position of the sensor, m; if it lies on a surface, a point just in front of that surface is used
+     *     instead
      * @param radius radius of the sphere around the source in which specularly reflected rays are counted, m
      */
     public EnergyTracer(EnergyModel model, Position sensor, double radius, World world) {

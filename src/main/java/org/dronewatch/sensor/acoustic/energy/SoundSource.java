@@ -20,9 +20,9 @@ public final class SoundSource {
     /**
      * A source.
      *
-     * @param position its position, m
+     * @param position position of the source, m
      * @param powerLevels sound power level in each band, dB re 1 pW; minus infinity for silence
-     * @param directivity dependence of the sound on elevation
+     * @param directivity dependence of the level on the elevation at which the sound leaves the source
      */
     public SoundSource(Position position, List<Double> powerLevels, Directivity directivity) {
         this.position = position;

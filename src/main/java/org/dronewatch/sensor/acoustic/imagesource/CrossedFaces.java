@@ -8,9 +8,9 @@ import org.dronewatch.world.World;
 
 /**
  * The coincident faces at a point where a path of sound meets one of them, grouped by material: the path crosses all of
- * them at once. It leaves the solids that it is inside, and enters the others. Coincident faces of a sheet count as
- * one. So do those of a solid: all of them where the path enters it and, where the path leaves it, at most as many as
- * those through which it entered. For use by one thread.
+ * them at once. The path leaves the solids that it is inside, and enters the others. Coincident faces of a sheet count
+ * as one. Coincident faces of a solid also count as one when the path enters it; when the path leaves it, at most as
+ * many faces count as one as the path crossed on entering. For use by one thread.
  */
 public final class CrossedFaces {
     /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */
@@ -134,12 +134,15 @@ public final class CrossedFaces {
         return (halves[number] + 1) / 2;
     }
 
-    /** Whether a path within some solids enters a solid or a sheet of the material with this number here. */
+    /** Whether a path that is inside the given solids enters a solid or a sheet of this material at these faces. */
     public boolean begins(int number, EnteredSolids solids) {
         return faces(number) > solids.faces(materials[number]);
     }
 
-    /** Takes a path through all of these faces: out of the solids that end here, and into those that begin. */
+    /**
+     * Updates the solids that a path is inside as it crosses all of these faces: the path leaves the solids that end at
+     * the faces, and enters those that begin there.
+     */
     public void pass(EnteredSolids solids) {
         for (int i = 0; i < count; i++) {
             int left = solids.faces(materials[i]);
@@ -150,7 +153,10 @@ public final class CrossedFaces {
         }
     }
 
-    /** The distance to the last of these faces, as a multiple of the length of the direction given for the path. */
+    /**
+     * The distance along the path from the point to the last of these faces, as a multiple of the length of the given
+     * direction.
+     */
     public double beyond() {
         return beyond;
     }

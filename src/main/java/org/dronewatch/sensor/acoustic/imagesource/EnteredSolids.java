@@ -3,9 +3,9 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import java.util.Arrays;
 
 /**
- * The solids that a path of sound is inside, by the numbers of their materials. They may overlap, as walls do at the
- * corners of merged models: leaving one of them does not end the others. A mutable, reused object, for use by one
- * thread.
+ * The solids that a path of sound is inside, by the indices of their materials. The solids may overlap, as walls do at
+ * the corners of merged models: a path that leaves one of them may still be inside the others. A mutable, reused
+ * object, for use by one thread.
  */
 public final class EnteredSolids {
     /** Air: within no solid. Not to be modified. */

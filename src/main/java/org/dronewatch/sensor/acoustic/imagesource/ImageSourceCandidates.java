@@ -5,7 +5,8 @@ import java.util.Comparator;
 import java.util.stream.IntStream;
 
 /**
- * Candidates for image sources, each with its worth: a measure of the energy that it contributes, in arbitrary units.
+ * Candidates for image sources, each with its worth: a measure of the energy that the image source contributes, in
+ * arbitrary units.
  */
 public final class ImageSourceCandidates {
     private static final int FIRST_SIZE = 64;
@@ -30,9 +31,12 @@ public final class ImageSourceCandidates {
     }
 
     /**
-     * Adds an image source unless it is already known, and adds to its worth.
+     * Adds an image source unless it is already known, and increases its worth.
      *
-     * @return its index
+     * @param parent index of the image source that is mirrored in the wall
+     * @param wall the last wall of the image source
+     * @param worth amount by which the worth increases
+     * @return index of the image source
      */
     public int add(int parent, int wall, double worth) {
         long key = key(parent, wall);
@@ -116,7 +120,10 @@ public final class ImageSourceCandidates {
         return worths[image];
     }
 
-    /** The walls of the first-order image sources with the greatest worth. */
+    /**
+     * The walls of at most {@code most} first-order image sources: those with the greatest worth, in descending order
+     * of worth.
+     */
     public int[] firstWalls(int most) {
         return IntStream.range(1, count)
                 .filter(image -> parents[image] == ImageSources.ORIGINAL)
@@ -134,7 +141,7 @@ public final class ImageSourceCandidates {
     }
 
     /**
-     * The image sources with the greatest worth. None may be worth more than its parent.
+     * The image sources with the greatest worth. No image source may be worth more than its parent.
      *
      * @param most maximum number
      * @param least minimum worth: image sources worth less than this are left out

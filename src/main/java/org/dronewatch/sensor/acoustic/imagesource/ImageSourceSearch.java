@@ -12,9 +12,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Finds the relevant image sources of a point: those whose walls reflect evenly spread rays from it (M. Vorlaender,
- * JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than that between neighbouring rays
- * may be missed. Searches from the same point give the same image sources. For use by one thread.
+ * Finds the relevant image sources of a point: those whose walls reflect evenly spread rays from the point (M.
+ * Vorlaender, JASA 86, 172, 1989). An image source whose walls subtend a smaller solid angle than that between
+ * neighbouring rays may be missed. Searches from the same point give the same image sources. For use by one thread.
  */
 public final class ImageSourceSearch {
     /** A ray that has less than this fraction of its energy left after reflections is abandoned. */
@@ -67,15 +67,15 @@ public final class ImageSourceSearch {
 
     /**
      * The image sources of a point. More rays are traced around any ray that has found an image source of higher order
-     * that few others have found.
+     * that few other rays have found.
      *
      * @param from the point, m
      * @param rays number of rays, spread over all directions
      * @param maxOrder maximum number of walls of an image source
      * @param behindWalls receives the image sources that rays find after they have passed through walls that transmit
      *     sound
-     * @param direct the fraction of direct sound that passes through walls, above 0; rays of which much less passes
-     *     are abandoned
+     * @param direct the fraction of direct sound that passes through walls, above 0; rays of which a much smaller
+     *     fraction passes are abandoned
      */
     public ImageSourceCandidates from(
             Position from, int rays, int maxOrder, ImageSourceCandidates behindWalls, double direct) {
@@ -104,8 +104,9 @@ public final class ImageSourceSearch {
     }
 
     /**
-     * The image sources of a point that are found by rays towards some other points. Their walls enclose these other
-     * points, and subtend too small a solid angle at the point to be found by rays that are spread over all directions.
+     * The image sources of a point that are found by rays towards some other points. Such image sources are those of
+     * walls that enclose the other points and, seen from the point, subtend too small a solid angle to be found by rays
+     * that are spread over all directions.
      *
      * @param from the point, m
      * @param to the other points, m

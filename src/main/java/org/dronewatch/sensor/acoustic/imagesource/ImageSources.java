@@ -5,7 +5,8 @@ import java.util.Arrays;
 /**
  * The image sources of a point: the point mirrored in a sequence of walls that reflect its sound specularly, one after
  * another. They form a tree: an image is its parent mirrored in one more wall; image 0 is the point itself, and parents
- * come before their children. Immutable.
+ * come before their children. Sequences of walls are looked up by keys: 64-bit polynomial hashes of the wall numbers.
+ * Equal sequences have equal keys, and different sequences are taken to have different keys. Immutable.
  */
 public final class ImageSources {
     /** The point itself, which is not mirrored. */
@@ -28,7 +29,7 @@ public final class ImageSources {
     /**
      * A tree of image sources.
      *
-     * @param parents parent of each image; any number for the first, which is the point itself
+     * @param parents index of the parent of each image; any number for the first, which is the point itself
      * @param walls the last wall of each image; any number for the first
      */
     public ImageSources(int[] parents, int[] walls) {
@@ -48,7 +49,7 @@ public final class ImageSources {
         this.highestOrder = Arrays.stream(orders).max().orElse(0);
     }
 
-    /** The image in a sequence of walls, in order from the first, and all its parents. */
+    /** The image of a point in a sequence of walls, in order from the first, and all its parents. */
     public static ImageSources of(int... sequence) {
         int[] itsParents = new int[sequence.length + 1];
         int[] itsWalls = new int[sequence.length + 1];
@@ -141,7 +142,7 @@ public final class ImageSources {
      * Whether a sequence of walls is that of one of these images.
      *
      * @param order number of walls, 1 or more
-     * @param key key of the sequence
+     * @param key key of the sequence, made with {@link #appended} or {@link #prepended}
      */
     public boolean contains(int order, long key) {
         // Rays have mostly hit more walls than any image has: they need no search.
@@ -167,14 +168,14 @@ public final class ImageSources {
      * The key of a sequence with one more wall before its first one. With it, the key of a reversed sequence can be
      * formed wall by wall.
      *
-     * @param weight weight of a sequence of this length: 1 for an empty one, {@link #weightOfNext} for each further
-     *     wall
+     * @param weight power of the hash's multiplier for the length of the sequence: 1 for an empty sequence;
+     *     {@link #weightOfNext} gives the weight for one more wall
      */
     public static long prepended(long key, int wall, long weight) {
         return key + mixed(wall) * weight;
     }
 
-    /** The weight of a sequence with one more wall; see {@link #prepended}. */
+    /** The weight for a sequence with one more wall; see {@link #prepended}. */
     public static long weightOfNext(long weight) {
         return weight * STEP;
     }
@@ -188,8 +189,8 @@ public final class ImageSources {
     }
 
     /**
-     * Writes the positions of the images of a point, three coordinates each: the point mirrored in the first wall, then
-     * in the next.
+     * Writes the positions of the images of a point into an array, m, three coordinates each: the point is mirrored in
+     * the first wall, the result in the next, and so on.
      */
     public void positions(double x, double y, double z, WallPlanes planes, double[] images) {
         images[0] = x;

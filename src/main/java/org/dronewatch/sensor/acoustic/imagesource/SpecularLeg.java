@@ -6,7 +6,7 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
  * The leg of a ray since it left the sensor or the source or was last scattered: its sequence of specular reflections,
- * and whether that belongs to an image source. For use by one thread.
+ * and whether this is the sequence of an image source. For use by one thread.
  */
 public final class SpecularLeg {
     private int[] walls = new int[16];
@@ -64,7 +64,7 @@ public final class SpecularLeg {
         isThroughWalls = true;
     }
 
-    /** Sine of the elevation at which the ray left the leg's beginning. */
+    /** Sine of the elevation at which the ray left the leg's beginning; negative downward. */
     public double riseFromBeginning() {
         return riseFromBeginning;
     }

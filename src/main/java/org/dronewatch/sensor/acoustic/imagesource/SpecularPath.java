@@ -8,8 +8,8 @@ import org.dronewatch.world.World;
 
 /**
  * A path from one point via specular reflections to another, constructed from image sources: it must hit every wall at
- * the right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). It
- * may pass through walls that transmit sound if {@link #throughWalls} says so. For use by one thread.
+ * the right point, unobstructed (Allen and Berkley, JASA 65, 1979; Borish, JASA 75, 1984, for rooms of any shape). The
+ * path may pass through walls that transmit sound if {@link #throughWalls} allows it. For use by one thread.
  */
 public final class SpecularPath {
     private static final int BANDS = OctaveBands.COUNT;
@@ -66,9 +66,12 @@ public final class SpecularPath {
     }
 
     /**
-     * Follows the path from a point to the one whose images are given, starting with the last wall of the image.
+     * Follows the path from a point to the one whose images are given. The first wall that reflects the path is the one
+     * in which the image source was mirrored last.
      *
+     * @param imageSources image sources of the other point
      * @param images positions of the image sources of the other point: {@link ImageSources#positions}
+     * @param image index of the image source from which the path is constructed
      * @return whether there is a path, whose properties can then be queried
      */
     public boolean follow(
@@ -78,7 +81,7 @@ public final class SpecularPath {
 
     /**
      * Follows the path from a point to the one whose images are given, where both may lie on surfaces. A wall reflects
-     * nothing that begins or ends in its own plane. Rounding may have put such a point on either side of the plane, so
+     * no path that begins or ends in its own plane. Rounding may have put such a point on either side of the plane, so
      * the wall's number decides: otherwise sound would leak through a sheet by a reflection on its other side.
      *
      * @param fromWall the wall on which the path begins, or {@link WallPlanes#NONE}
@@ -245,7 +248,7 @@ public final class SpecularPath {
         return curvature.along(ahead * dx, ahead * dy, ahead * dz);
     }
 
-    /** The fraction of a band's energy that is left by all walls that reflect the path or transmit it. */
+    /** The fraction of a band's energy that remains after all reflections and transmissions along the path. */
     public double reflected(int band) {
         return reflected[band];
     }
@@ -272,12 +275,12 @@ public final class SpecularPath {
         return -(last[0] * x + last[1] * y + last[2] * z);
     }
 
-    /** Sine of the elevation at which sound leaves the path's beginning. */
+    /** Sine of the elevation at which sound leaves the path's beginning; negative downward. */
     public double riseFromBeginning() {
         return first[2];
     }
 
-    /** Sine of the elevation at which sound that travels backward leaves the path's end. */
+    /** Sine of the elevation at which sound that travels backward leaves the path's end; negative downward. */
     public double riseFromEnd() {
         return -last[2];
     }

@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  * wall. The result does not depend on the directions of the axes. Immutable.
  */
 public final class WallPlanes {
-    /** The number for a triangle that does not reflect specularly. */
+    /** The wall number of a triangle that does not reflect specularly. */
     public static final int NONE = -1;
 
     /**
@@ -53,7 +53,7 @@ public final class WallPlanes {
     private final boolean[] isMixed;
     private final double tolerance;
 
-    /** The planes of a world, found once. */
+    /** The planes of a world; they are found once per world. */
     public static WallPlanes of(World world) {
         return KNOWN.computeIfAbsent(world, WallPlanes::found);
     }
@@ -133,7 +133,7 @@ public final class WallPlanes {
         return isOfSeveral;
     }
 
-    /** Whether the triangles in a plane are of several materials: some may coincide. */
+    /** Whether the triangles in a plane have more than one material, so that some of them may coincide. */
     public boolean isMixed(int wall) {
         return isMixed[wall];
     }
@@ -158,7 +158,7 @@ public final class WallPlanes {
         return tolerance;
     }
 
-    /** Signed distance of a point from a plane, m. */
+    /** Signed distance of a point from a plane, m; positive on the side to which the plane's normal points. */
     public double height(int wall, double x, double y, double z) {
         int at = NUMBERS * wall;
         return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];

@@ -8,8 +8,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Transmission along straight lines and arcs: a sheet attenuates by its transmission loss, a solid once, where the line
- * enters; opaque surfaces transmit nothing. For use by one thread.
+ * Transmission along straight lines and arcs: a sheet attenuates sound by its transmission loss, and a solid does so
+ * only where the path enters it; opaque surfaces transmit nothing. For use by one thread.
  */
 public final class WallTransmission {
     private static final int BANDS = OctaveBands.COUNT;
@@ -36,7 +36,8 @@ public final class WallTransmission {
      * Follows the arc of sound between two points through all that obstructs it.
      *
      * @param solids the solids within which the path begins
-     * @param curvature curvature of sound on it, in either direction, 1/m; 0 for a straight line
+     * @param curvature curvature of the arc in the direction in which the sound travels, which may be either, 1/m; 0
+     *     for a straight line
      * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this path
      */
     public boolean trace(
@@ -66,7 +67,8 @@ public final class WallTransmission {
     /**
      * Follows the next arc of a path.
      *
-     * @param curvature curvature of sound on it, in either direction, 1/m; 0 for a straight line
+     * @param curvature curvature of the arc in the direction in which the sound travels, which may be either, 1/m; 0
+     *     for a straight line
      * @param one a wall that the arc does not cross, though rounding may make it seem so, or {@link WallPlanes#NONE}
      * @param other another such wall, or NONE
      * @return whether any of the sound gets to its end
@@ -170,7 +172,7 @@ public final class WallTransmission {
         return within;
     }
 
-    /** The fraction of a band's energy that passed along the last path, 0 to 1. */
+    /** The fraction of a band's energy that was transmitted along the last path, 0 to 1. */
     public double passed(int band) {
         return passed[band];
     }

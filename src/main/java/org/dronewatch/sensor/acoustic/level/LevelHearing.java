@@ -15,8 +15,8 @@ import org.dronewatch.sensor.acoustic.propagation.SoundTracer;
 import org.dronewatch.world.World;
 
 /**
- * A microphone in the level model: it measures the highest level received, which is not divided among rays. For use by
- * one thread at a time.
+ * A microphone in the level model: it measures the highest level received along any ray, since levels are not divided
+ * among rays. For use by one thread at a time.
  */
 public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */
@@ -42,7 +42,7 @@ public final class LevelHearing implements SoundTracer {
     /**
      * Takes one look.
      *
-     * @param fully whether to continue after the first ray that is loud enough
+     * @param fully whether to continue after the first ray that reaches the threshold
      * @param recorder receives every ray segment; {@link RayRecorder#NONE} to record nothing
      */
     public LevelReading listen(Drone drone, RandomGenerator random, boolean fully, RayRecorder recorder) {
@@ -82,9 +82,9 @@ public final class LevelHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} Only rays that can lead to a ray that is loud enough are traced; where some looks detect the drone
-     * and some do not, more such rays are traced, so that the probability is more accurate. If it matters only on which
-     * side of a limit the probability lies, no more rays are traced after the first look than are needed to show it.
+     * {@inheritDoc} Only rays that can lead to a detection are traced; where some looks detect the drone and some do
+     * not, more such rays are traced, so that the probability is more accurate. If all that matters is on which side of
+     * a limit the probability lies, no more rays are traced after the first look than are needed to decide that.
      */
     @Override
     public Signal coarseSignal(Drone drone, RandomGenerator random, ProbabilityResolution resolution) {
@@ -107,8 +107,8 @@ public final class LevelHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} The level model does not depend on direction; an emission of another kind may depend on the state
-     * of flight.
+     * {@inheritDoc} The level model does not depend on direction; an emission that the settings alone do not determine
+     * may depend on the state of flight.
      */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {

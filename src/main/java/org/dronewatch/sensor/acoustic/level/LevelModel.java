@@ -25,11 +25,11 @@ import org.dronewatch.world.World;
  * @param attenuation loss of level in the air, 0 to 1000 dB/m
  * @param maxOrder maximum number of surfaces that a ray may hit before it ends, 0 to 100
  * @param rayBudget maximum number of ray segments of one look, 1 to 50,000,000
- * @param listening {@code fast}: a look ends with the first ray that is loud enough; {@code thorough}: it traces all
- *     rays, and reports the highest level and the cumulative energy
- * @param diffraction fraction of the reflected and of the transmitted energy that is scattered (which the thesis
- *     calls diffraction), 0 to 1; the specular and refracted rays carry the rest; if omitted, all rays carry equal
- *     energy. It affects the cumulative energy, not the levels, which are not divided among the rays
+ * @param listening {@code fast}: a look ends with the first ray that reaches the threshold; {@code thorough}: a look
+ *     traces all rays, and reports the highest level and the cumulative energy
+ * @param diffraction fraction of the reflected and of the transmitted energy that is scattered (which the thesis calls
+ *     diffraction), 0 to 1; the specular and refracted rays carry the rest; if omitted, all rays carry equal energy.
+ *     This affects the cumulative energy, not the levels, which are not divided among the rays
  * @param transmittedRays number of rays from the far side of a wall that transmits sound, 1 to 10,000: one refracted,
  *     the others scattered
  */
@@ -77,12 +77,12 @@ public record LevelModel(
         return SettingsForm.with(this, "attenuation", loss);
     }
 
-    /** This model with other limits: order and number of ray segments. */
+    /** This model with another maximum order and another ray budget. */
     public LevelModel withLimits(int orders, int budget) {
         return SettingsForm.with(this, Map.of("maxOrder", orders, "rayBudget", budget));
     }
 
-    /** This model with looks that end early, or trace all rays. */
+    /** This model with another criterion for ending a look. */
     public LevelModel withListening(Listening other) {
         return SettingsForm.with(this, "listening", other);
     }

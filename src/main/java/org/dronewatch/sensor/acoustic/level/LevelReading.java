@@ -7,7 +7,8 @@ import java.util.OptionalInt;
 /**
  * The result of one look of an acoustic sensor at one drone, in the level model.
  *
- * @param bestLevel the highest undivided level received, dB; minus infinity when nothing was received
+ * @param bestLevel the highest level received along any ray, dB on the calibrated scale of the level model; minus
+ *     infinity when nothing was received
  * @param detected whether the best level reaches the threshold
  * @param energy the received fraction of the emitted energy, summed over all rays: for information only, since rays
  *     that are aimed at the sensor make it unphysical
@@ -15,7 +16,7 @@ import java.util.OptionalInt;
  * @param traced number of ray segments that were traced
  * @param cutByOrder number of rays not followed because of the maximum order
  * @param cutByBudget number of rays not followed because of the ray budget
- * @param cutOrder the lowest order at which the budget ended a ray; empty if it ended none
+ * @param cutOrder the lowest order of a ray that the budget ended; empty if it ended none
  */
 public record LevelReading(
         double bestLevel,

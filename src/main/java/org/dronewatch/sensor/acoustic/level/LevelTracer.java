@@ -15,12 +15,12 @@ import org.dronewatch.world.World;
 
 /**
  * The tracer of the level model: follows rays breadth first, in a fixed order, from a drone to one sensor. Rays end
- * when their level falls below that of detection, at the maximum order, and when the ray budget is exhausted; rays not
- * followed are counted.
+ * when their level falls below the detection level, at the maximum order, and when the ray budget is exhausted; rays
+ * not followed are counted.
  *
  * <p>Rays are queued and traced in chunks of the queue, on the {@link Workers} of the calling thread. Each chunk has a
- * separate random stream, and the results are added in the queue's order: they are the same for any number of threads.
- * For use by one caller at a time.
+ * separate random stream, and the results are added in the queue's order, so that they are the same for any number of
+ * threads. For use by one caller at a time.
  */
 public final class LevelTracer {
     /** Number of queued rays in a chunk. */
@@ -53,8 +53,8 @@ public final class LevelTracer {
     /**
      * A tracer to one sensor.
      *
-     * @param sensor its centre, m
-     * @param radius rays that pass within this distance are received, m
+     * @param sensor centre of the sensor, m
+     * @param radius distance within which a ray must pass the sensor to be received, m
      * @param detectionLevel the level at and above which a sound is detected, dB
      */
     public LevelTracer(LevelModel model, Position sensor, double radius, double detectionLevel, World world) {
@@ -68,8 +68,8 @@ public final class LevelTracer {
     /**
      * Takes one look.
      *
-     * @param source position of the drone
-     * @param sourceLevel its level, dB
+     * @param source position of the drone, m
+     * @param sourceLevel level of the drone's sound in the level model, dB
      * @param fully whether to continue after the first detection
      */
     public LevelReading trace(

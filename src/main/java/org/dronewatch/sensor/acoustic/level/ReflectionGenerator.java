@@ -7,10 +7,10 @@ import org.dronewatch.sensor.acoustic.propagation.Normals;
 import org.dronewatch.world.World;
 
 /**
- * Generates the rays from a surface: first the specular one, then one straight to the sensor if that lies on the same
- * side, and the rest at random over the hemisphere; if the material transmits sound, also rays on the other side, the
- * first refracted and the rest scattered. It follows sections 5.2.3 and 6.2.11 of the thesis on which this project is
- * based. For use by one thread.
+ * Generates the rays from a surface: first the specular one, then one straight to the sensor if the sensor lies on the
+ * same side of the surface, and the rest at random over the hemisphere; if the material transmits sound, also rays on
+ * the other side, the first refracted and the rest scattered. It follows sections 5.2.3 and 6.2.11 of the thesis on
+ * which this project is based. For use by one thread.
  */
 public final class ReflectionGenerator {
     /**
@@ -41,7 +41,7 @@ public final class ReflectionGenerator {
     /**
      * A generator for the surfaces of a world.
      *
-     * @param model number of rays from a surface, and division of its energy
+     * @param model number of rays from a surface, and division of the energy among them
      * @param sensor position at which the second ray is aimed, m
      */
     public ReflectionGenerator(LevelModel model, World world, Position sensor) {
@@ -71,12 +71,13 @@ public final class ReflectionGenerator {
 
     /**
      * Generates the rays from a triangle that a ray hits. Every reflected ray has the level of the arriving ray minus
-     * the loss of the reflection, and every transmitted ray has that level minus the loss of the wall; the reflected
-     * and the transmitted energy are divided among them.
+     * the loss of the reflection, and every transmitted ray has the level of the arriving ray minus the loss on
+     * entering the wall; the reflected energy is divided among the reflected rays, and the transmitted energy among the
+     * transmitted ones.
      *
      * @param ray the ray that arrives
      * @param distance distance from the ray's origin to the triangle, m
-     * @param triangle index in the world's mesh
+     * @param triangle index of the triangle in the world's mesh
      * @param arriving level of the ray at the triangle, dB
      * @param random draws the directions of scattered rays
      * @param target receives the rays, the specular one first

@@ -33,10 +33,10 @@ public final class AcousticRay {
     /** The z component of the unit direction. */
     public double directionZ;
 
-    /** Undivided level at the origin, dB. */
+    /** Level at the origin, dB on the calibrated scale of the level model; not divided among outgoing rays. */
     public double level;
 
-    /** Fraction of the drone's emitted energy at the origin. */
+    /** Fraction of the drone's emitted energy that the ray carries at the origin. */
     public double energy;
 
     /** Path length from the drone to the origin, m. */
@@ -69,7 +69,7 @@ public final class AcousticRay {
      * Moves the ray's origin off a surface, by more than the rounding error of its coordinates.
      *
      * @param normal unit normal of the surface
-     * @param side 1 for the side of the normal, -1 for the other one
+     * @param side 1 for the side to which the normal points, -1 for the opposite side
      */
     public void standOff(double[] normal, double side) {
         double step = side * STAND_OFF * (1.0 + Math.abs(originX) + Math.abs(originY) + Math.abs(originZ));

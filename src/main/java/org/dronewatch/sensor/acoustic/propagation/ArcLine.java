@@ -2,8 +2,8 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 /**
  * An arc of sound between two points, approximated by straight pieces. The ends of the pieces are not at simple
- * fractions of the arc, so that they are unlikely to lie in a wall, which the pieces on both sides would miss. For use
- * by one thread.
+ * fractions of the arc, so that they are unlikely to lie in a wall, which both adjoining pieces would then miss. For
+ * use by one thread.
  */
 public final class ArcLine {
     private static final double GOLDEN = 0.3819660112501051;
@@ -24,7 +24,8 @@ public final class ArcLine {
     /**
      * Sets the arc from one point to another.
      *
-     * @param bending curvature of sound along it, in either direction: {@link PathCurvature#along}, 1/m
+     * @param bending curvature of the arc, 1/m: {@link PathCurvature#along} in the direction in which the sound
+     *     travels, which may be either
      * @param isBelow whether the pieces of an arc that bends up run just below it, so that they meet a surface that the
      *     arc only grazes
      */
@@ -48,7 +49,7 @@ public final class ArcLine {
         return length;
     }
 
-    /** The number of its pieces; 1 if the arc is straight enough. */
+    /** The number of pieces; 1 if the arc is straight enough. */
     public int pieces() {
         return corners + 1;
     }

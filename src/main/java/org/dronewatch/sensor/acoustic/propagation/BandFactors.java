@@ -30,8 +30,8 @@ public final class BandFactors {
     }
 
     /**
-     * Multiplies a value in each band by a factor and by the exponential function of a small number, as a Taylor series
-     * with five terms after the first: for numbers below 0.02, it is accurate to 1e-13.
+     * Multiplies a value in each band by a factor and by {@code exp(by * exponent)}, computed as a Taylor series up to
+     * the fifth power: for arguments of a magnitude below 0.02, it is accurate to 1e-13.
      *
      * @param exponents the exponent in each band
      * @param by factor by which the exponents are multiplied

@@ -63,7 +63,7 @@ public final class BandSurfaces {
     /**
      * The fraction that is reflected.
      *
-     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      */
     public double reflected(int material, int band, double cosine) {
         return angular[material] == null ? reflected(material, band) : 1.0 - angular[material].at(band, cosine);
@@ -72,7 +72,7 @@ public final class BandSurfaces {
     /**
      * Multiplies the energies in all bands by the fractions that a surface reflects.
      *
-     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      * @param energies the energy in each band
      */
     public void reflect(int material, double cosine, double[] energies) {
@@ -91,10 +91,10 @@ public final class BandSurfaces {
     }
 
     /**
-     * Weight of sound scattered in one direction, relative to Lambert's law: a surface that reflects little from a
-     * direction scatters little into it. It is the fraction reflected in this direction divided by its mean over all
-     * directions, so that reciprocity (Helmholtz) holds and energy is conserved; 1 where absorption does not depend on
-     * the angle.
+     * Factor by which the energy scattered in one direction differs from Lambert's law: a surface that reflects little
+     * sound from a direction scatters little into that direction. The factor is the fraction reflected at this angle
+     * divided by the fraction reflected in a diffuse field, so that reciprocity (Helmholtz) holds and energy is
+     * conserved; 1 where absorption does not depend on the angle.
      *
      * @param cosine cosine of the angle between the direction and the normal, 0 to 1
      */
@@ -114,7 +114,7 @@ public final class BandSurfaces {
     /**
      * The fraction that is reflected specularly.
      *
-     * @param cosine cosine of the angle between the sound and the normal, 0 to 1
+     * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      */
     public double mirrored(int material, int band, double cosine) {
         return reflected(material, band, cosine) * (1.0 - scattered(material, band));
@@ -150,7 +150,10 @@ public final class BandSurfaces {
         return scattered[BANDS * material + band];
     }
 
-    /** The fraction of the total energy of all bands that is scattered; the energies are given by band. */
+    /**
+     * The fraction of the reflected energy of all bands together that is scattered, given the reflected energy in each
+     * band.
+     */
     public double chanceOfScattering(int material, double[] energies) {
         double all = 0.0;
         double diffuse = 0.0;

@@ -4,8 +4,8 @@ import org.dronewatch.sound.Barrier;
 
 /**
  * A method for the diffraction of sound around edges into a shadow. All methods but {@link #OFF} are approximations
- * without a step at the shadow boundary, where the attenuation is 4.77 dB; it fades to zero within {@link #reach} where
- * the source is visible above the edge.
+ * without a step at the shadow boundary, where the attenuation is 4.77 dB. Where the source is visible above the edge,
+ * the attenuation falls to 0 as the magnitude of the path difference grows to {@link #reach}.
  */
 public enum Diffraction {
     /** No diffraction: sound reaches a shadow zone only by transmission through walls. */
@@ -74,7 +74,7 @@ public enum Diffraction {
      *     is visible
      * @param span length of that path from the first edge to the last, m; 0 for one edge
      * @param wavelength above 0, m
-     * @return 0 or more, dB
+     * @return 0 or more, dB; infinite if no sound is diffracted
      */
     public abstract double attenuation(double pathDifference, double span, double wavelength);
 
@@ -90,7 +90,7 @@ public enum Diffraction {
      * The path difference up to which an edge attenuates sound although the source is visible.
      *
      * @param wavelength above 0, m
-     * @return length of the path that touches the edge minus that of the line, m
+     * @return length of the path that touches the edge minus that of the straight line, m, 0 or more
      */
     public abstract double reach(double wavelength);
 }

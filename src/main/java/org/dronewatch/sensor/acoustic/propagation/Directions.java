@@ -28,8 +28,8 @@ public final class Directions {
     /**
      * Sets a ray's direction.
      *
-     * @param z its vertical component, -1 to 1
-     * @param turn its bearing as a fraction of a turn from the x axis to the y axis, 0 to 1
+     * @param z vertical component of the direction, -1 to 1
+     * @param turn azimuth of the direction, from the x axis towards the y axis, as a fraction of a full turn, 0 to 1
      */
     public static void set(AcousticRay ray, double z, double turn) {
         double angle = 2.0 * Math.PI * turn;

@@ -66,9 +66,10 @@ public final class GroundPlane {
      * @param first one point, m
      * @param second the other point, m
      * @param wavelength wavelength of the sound, which determines the size of the zone, m, above 0
-     * @param curvature curvature of sound from one to the other, 1/m: arcs are treated as straight lines over ground
-     *     that is curved in the opposite direction
-     * @return whether there is reflecting ground, visible from both points; its properties can then be queried
+     * @param curvature curvature of the sound path between the points, 1/m: arcs are treated as straight lines over
+     *     ground that is curved in the opposite direction
+     * @return whether there is reflecting ground, visible from both points; the properties of the plane can then be
+     *     queried
      */
     public boolean find(Position first, Position second, double wavelength, double curvature) {
         from = first;
@@ -95,7 +96,7 @@ public final class GroundPlane {
      * Finds the highest surface at a position on the line between two points, in plan view. After that, only
      * {@link #material}, the heights of the points above the ground, and {@link #isBelow} can be queried.
      *
-     * @param share position along the line, 0 to 1
+     * @param share position along the line as a fraction of its length in plan view, from the first point, 0 to 1
      * @param wavelength wavelength of the sound, which determines the width of the relevant ground beside the line, m,
      *     above 0
      * @return whether there is a surface
@@ -237,7 +238,10 @@ public final class GroundPlane {
         return PathCurvature.sag(bulge, distance, u);
     }
 
-    /** Whether a point belongs to the ground in the zone, so that the plane's reflection includes that of the point. */
+    /**
+     * Whether a point belongs to the ground in the zone, so that the reflection at the point is part of the reflection
+     * by the plane.
+     */
     public boolean covers(double x, double y, double z) {
         double u = profile.u(x, y);
         double v = profile.v(x, y);
@@ -250,7 +254,10 @@ public final class GroundPlane {
                 && Math.abs(z - surface.z(u, v)) <= SPREAD * unevenness + TOLERANCE;
     }
 
-    /** Whether a point is part of the ground below the line between the points or, in its Fresnel zone, beside it. */
+    /**
+     * Whether a point is part of the ground below the line between the points, or beside the line within the Fresnel
+     * zone.
+     */
     public boolean isBelow(double x, double y, double z) {
         double u = profile.u(x, y);
         double v = profile.v(x, y);

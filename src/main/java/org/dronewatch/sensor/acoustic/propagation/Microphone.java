@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Position;
 /**
  * The properties of a microphone for propagation models.
  *
- * @param position its centre, m
- * @param radius rays that pass within this distance are received, above 0, m
+ * @param position position of the microphone, or of the array's centre, m
+ * @param radius distance within which a ray must pass to be received, above 0, m
  * @param threshold level above the background that a sound must reach, dB
  * @param arrayGain gain of an array over a single microphone, 0 or more, dB
  */

@@ -21,7 +21,7 @@ public final class PathBending {
         this.ground = air.isUniform() ? null : new GroundLevel(world);
     }
 
-    /** The curvature of all paths of one look. */
+    /** The curvature of all sound paths from the source to the sensor in one look. */
     public PathCurvature between(Position source, Position sensor) {
         return air.isUniform()
                 ? PathCurvature.NONE

@@ -6,9 +6,10 @@ import org.dronewatch.sound.Atmosphere;
  * The curvature of sound paths due to wind and temperature: if the effective speed of sound, that in still air plus the
  * speed of the wind along the path, changes linearly with height at the rate g, a path at an elevation gamma is an arc
  * of radius {@code c / (g cos gamma)}, with the speed of sound c (A. D. Pierce, Acoustics, section 8.3). The wind's
- * profile is assumed linear between the heights of the source and the microphone. Immutable.
+ * profile is assumed linear between the heights of the source and the microphone. Curvatures are positive where sound
+ * bends up. Immutable.
  *
- * @param everywhere curvature due to temperature, positive if it bends sound up, 1/m
+ * @param everywhere curvature in all directions, due to temperature, 1/m
  * @param eastward curvature of sound that travels east, due to wind, 1/m
  * @param northward curvature of sound that travels north, due to wind, 1/m
  */
@@ -49,8 +50,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * The curvature of sound that travels along a vector, 1/m: positive if it bends up, at most the reciprocal of the
-     * vector's length.
+     * The curvature of sound that travels along a vector, 1/m: positive if the sound bends up; in magnitude, at most
+     * the reciprocal of the vector's length.
      */
     public double along(double x, double y, double z) {
         double length = Math.sqrt(x * x + y * y + z * z);
@@ -68,17 +69,17 @@ public record PathCurvature(double everywhere, double eastward, double northward
      *
      * @param curvature 1/m; negative if the arc bends down, and runs above the line
      * @param length length of the straight line, m
-     * @param at distance along it, m
+     * @param at distance along the straight line, m
      */
     public static double sag(double curvature, double length, double at) {
         return at > 0.0 && at < length ? 0.5 * curvature * at * (length - at) : 0.0;
     }
 
     /**
-     * The length of an arc over a chord, m.
+     * The length of an arc with a given chord, m.
      *
      * @param curvature 1/m
-     * @param chord m
+     * @param chord length of the chord, m
      */
     public static double arc(double curvature, double chord) {
         double half = 0.5 * Math.abs(curvature) * chord;
@@ -86,12 +87,12 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * An upper bound on the true sum of the distances of a point from the two ends of an arc, m, given that this sum is
-     * within a limit when the arc is drawn straight.
+     * An upper bound on the sum of a point's distances from the two ends of an arc, m, for a point whose sum is at most
+     * a limit in coordinates in which arcs are straight lines and the ground is raised by the {@link #sag}.
      *
      * @param curvature 1/m
      * @param length length of the straight line, m
-     * @param limit limit of the sum when arcs are drawn straight, at least that length, m
+     * @param limit limit of the sum in these coordinates, at least the length of the straight line, m
      */
     public static double reach(double curvature, double length, double limit) {
         double sag = sag(Math.abs(curvature), length, 0.5 * length);
@@ -100,10 +101,10 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * The number of straight pieces of an arc.
+     * The number of straight pieces that approximate an arc to within {@link #EXACT}.
      *
      * @param curvature 1/m
-     * @param length m
+     * @param length length of the straight line, m
      */
     public static int pieces(double curvature, double length) {
         return (int) Math.max(1.0, Math.ceil(length * Math.sqrt(Math.abs(curvature) / (8.0 * EXACT))));

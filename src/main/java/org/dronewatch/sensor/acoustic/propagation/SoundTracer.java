@@ -37,7 +37,7 @@ public interface SoundTracer {
     /**
      * The signal received from a drone, computed at less cost than by {@link #signal} where possible: where the
      * probability is a fraction of several looks, the looks after the first may draw other random numbers, and the
-     * quantity of a drone that is missed may be lower. Calls {@code signal} unless overridden.
+     * quantity may be lower for a drone that is missed. Calls {@code signal} unless overridden.
      *
      * @param resolution the probabilities that count as equal
      */

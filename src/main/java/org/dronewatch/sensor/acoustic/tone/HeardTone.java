@@ -5,8 +5,8 @@ import org.dronewatch.sound.NarrowBand;
 /**
  * A tone at a microphone.
  *
- * @param harmonic its number: 1 for the blade-passing frequency
- * @param band its band, shifted by the drone's motion, and as wide as the tone
- * @param snr level of the drone's sound in that band, tone and broadband part, above the noise there, dB
+ * @param harmonic number of the harmonic: 1 for the blade-passing frequency
+ * @param band the band of the tone, as wide as the tone, and Doppler-shifted by the drone's motion
+ * @param snr signal-to-noise ratio in that band, dB: the signal is the tone and the drone's broadband sound
  */
 public record HeardTone(int harmonic, NarrowBand band, double snr) {}

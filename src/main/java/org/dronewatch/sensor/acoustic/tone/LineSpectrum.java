@@ -31,10 +31,10 @@ public final class LineSpectrum {
     private record Line(int harmonic, NarrowBand band, int travelling, double ratio) {}
 
     /**
-     * The tones of a drone in flight. Those outside the octave bands at the microphone are left out.
+     * The tones of a drone in flight. Tones that lie outside the octave bands at the microphone are left out.
      *
      * @param tones the tones, with their emitted frequencies
-     * @param powerLevels sound power levels of the octave bands, tones included, dB
+     * @param powerLevels sound power levels of the octave bands, tones included, dB re 1 pW
      * @param approach speed of the drone towards the microphone, m/s; negative when it flies away
      * @param soundSpeed speed of sound in the air, m/s
      * @param wind wind speed, which widens the tones, m/s, 0 or more
@@ -62,8 +62,8 @@ public final class LineSpectrum {
     /**
      * The tones at the microphone, the lowest harmonic first.
      *
-     * @param energies energy received in each octave band, relative to the square of 20 uPa
-     * @param noise sound pressure levels in the octave bands, dB
+     * @param energies mean-square sound pressure in each octave band, relative to (20 uPa)^2
+     * @param noise sound pressure levels of the noise in the octave bands, dB re 20 uPa
      */
     public List<HeardTone> heard(IntToDoubleFunction energies, BandLevels noise) {
         List<HeardTone> heard = new ArrayList<>(lines.size());
@@ -80,9 +80,9 @@ public final class LineSpectrum {
     /**
      * The tone that is highest above the noise; if several are equally high, the lowest in frequency.
      *
-     * @param energies energy received in each octave band, relative to the square of 20 uPa
-     * @param noise sound pressure levels in the octave bands, dB
-     * @return empty when there is none
+     * @param energies mean-square sound pressure in each octave band, relative to (20 uPa)^2
+     * @param noise sound pressure levels of the noise in the octave bands, dB re 20 uPa
+     * @return empty when there are no tones
      */
     public Optional<HeardTone> best(IntToDoubleFunction energies, BandLevels noise) {
         return heard(energies, noise).stream()
