@@ -139,7 +139,9 @@ final class AlarmsCommand implements Callable<Integer> {
             out.println("false alerts: " + rate(alert, settings).inWords());
             return;
         }
-        out.printf("%-8s %18s %18s   %s%n", "confirm", "50 % per look", "90 % per look", "false alerts");
+        out.println("probability that a drone is confirmed if each look detects it with a probability of 50 % or 90 %,"
+                + " and rate of false alerts:");
+        out.printf("%-8s %18s %18s   %s%n", "confirm", "50 %", "90 %", "false alerts");
         rules(alert).forEach(confirm -> printRule(settings, confirm, out));
     }
 

@@ -74,7 +74,8 @@ final class BenchCommand implements Callable<Integer> {
             names = "--traversal",
             defaultValue = "fastest",
             paramLabel = "NAME",
-            description = "tiles (for images), fan (for segments), stack, sequential or bvh; the fastest by default.")
+            description = "Traversal: tiles (rasteriser, for images), fan (for segments with a common origin), stack or"
+                    + " sequential (one ray at a time through the kd-tree), or bvh; the fastest by default.")
     private TraversalKind traversal;
 
     @Option(

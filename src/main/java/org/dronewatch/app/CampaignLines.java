@@ -37,7 +37,7 @@ final class CampaignLines {
         CampaignSummary summary = result.summary();
         int width =
                 summary.variants().keySet().stream().mapToInt(String::length).reduce("variant".length(), Math::max);
-        out.println("in % of the cases, with 95 % confidence intervals:");
+        out.println("numbers of cases, and percentages of them with 95 % confidence intervals:");
         out.printf(
                 "%-" + width + "s %8s %7s %22s %22s %22s%n",
                 "variant",
@@ -127,7 +127,7 @@ final class CampaignLines {
                 cases.variants().get(0),
                 each,
                 cases.settings().base(),
-                factors == 1 ? "1 factor (chance)" : factors + " factors (chance is one)",
+                factors == 1 ? "1 factor (chance)" : factors + " factors, including chance",
                 Counted.of((long) plan.size() * plan.variants().size(), "run"));
     }
 

@@ -222,8 +222,8 @@ final class PlaceCommand implements Callable<Integer> {
         return new InputException(
                 GivenOption.words("--time", time) + ": "
                         + Quantity.DURATION.inWords(limits.end().seconds() + SearchEnd.FOLLOW_UP)
-                        + " after the candidates were assessed, no layout had been compared with the routes past it;"
-                        + " more time is needed",
+                        + " after the candidates were assessed, no layout had been tested against the weakest routes"
+                        + " past it; more time is needed",
                 cause);
     }
 

@@ -13,7 +13,8 @@ import org.dronewatch.setting.SettingsForm;
  * A drone's radar signature.
  *
  * @param crossSection mean radar cross-section, 1e-9 to 1e6 m2
- * @param fluctuation fluctuation of the cross-section from look to look
+ * @param fluctuation fluctuation of the cross-section: none (steady), from look to look (swerling-1 and swerling-3),
+ *     or from pulse to pulse (swerling-2 and swerling-4)
  * @param aspects aspect-dependent cross-section relative to the mean, dB: values at equal steps of azimuth, clockwise
  *     from the nose as seen from above; 1 to 360 of them, a single one if it is the same for all aspects
  * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,

@@ -25,8 +25,8 @@ import org.dronewatch.setting.input.PackagedSite;
  *     the files state
  * @param radius distance from the origin to which the terrain extends, 10 m to 100 km; it is cut along the rows and
  *     columns of its grid
- * @param accuracy greatest vertical error that thinning out the triangles may cause, 0 to 1000 m; at 0 every post is
- *     kept
+ * @param accuracy greatest vertical error that simplifying the terrain mesh may cause, 0 to 1000 m; at 0 every post
+ *     is kept
  * @param surface surface that the heights describe: the bare ground (dtm), or the highest surface, including roofs and
  *     treetops (dsm)
  * @param verticalOffset offset that is added to the heights of the files, -1000 to 1000 m: for files whose heights

@@ -93,7 +93,7 @@ class PlaceAttacksTest {
     @Test
     void theLinesAndTheReportCompareBothLayouts() throws IOException {
         assertThat(outcome.out())
-                .contains("in % of the cases, with 95 % confidence intervals:")
+                .contains("numbers of cases, and percentages of them with 95 % confidence intervals:")
                 .contains("the same cases compared:")
                 .contains("detected: layout - today = +");
         assertThat(Files.readString(directory.resolve("report.html")))

@@ -154,7 +154,7 @@ class PlaceFlownTest {
                 points.get(0).get("z").asDouble());
         String gap =
                 "Even past both affordable candidates together, a route remains on which no sensor detects the drone"
-                        + " in time: from " + begins + " in the north, ";
+                        + " in time; the route begins at " + begins + " (east, north, up; m), in the north, ";
         String others =
                 "From the east, south-east, south, south-west and west, both affordable candidates together detect";
 

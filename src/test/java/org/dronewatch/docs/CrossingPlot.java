@@ -51,7 +51,7 @@ final class CrossingPlot {
         add(chart, "neither notch nor clutter", bare, body, Color.GRAY);
         add(chart, "notch, 2 m/s", notched, body, new Color(0x1f5fbf));
         add(chart, "and rotors 20 dB below the body", notched, rotors, new Color(0x2a9d5c));
-        add(chart, "and clutter of farmland, 30 dB suppressed", cluttered, rotors, new Color(0xc2410c));
+        add(chart, "and farmland clutter, suppressed by 30 dB", cluttered, rotors, new Color(0xc2410c));
         DocChart.add(chart, "threshold", new double[] {-REACH, REACH}, new double[] {15.0, 15.0}, Color.BLACK, 1F);
         return BitmapEncoder.getBufferedImage(chart);
     }
@@ -59,7 +59,7 @@ final class CrossingPlot {
     private static XYChart chart() {
         XYChart chart = DocChart.of(
                 960,
-                "A pass at 200 m with 5 m/s, 20 m above level ground",
+                "A pass at a distance of 200 m and a speed of 5 m/s, 20 m above level ground",
                 "position along the path [m]",
                 "signal over noise and clutter [dB]");
         chart.getStyler().setYAxisMin(LEAST).setYAxisMax(50.0).setLegendPosition(LegendPosition.OutsideS);

@@ -67,7 +67,7 @@ final class ProgressLines {
         OptionalDouble rest = left.after(done, seconds);
         if (seconds >= next && done > 0 && steps < 0) {
             next = seconds + every;
-            err.printf(Locale.ROOT, "%s: %d after %s%n", task, done, duration(seconds));
+            err.printf(Locale.ROOT, "%s: %d done after %s%n", task, done, duration(seconds));
         } else if (seconds >= next && done > 0 && done < steps) {
             next = seconds + every;
             err.printf(Locale.ROOT, "%s: %s%n", task, part(done, seconds, rest));

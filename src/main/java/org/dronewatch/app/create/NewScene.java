@@ -73,7 +73,7 @@ public record NewScene(
             line(text, terrain.size() == 1 ? "    file: %s" : "    files: [%s]", names());
             terrainCrs.ifPresent(code -> line(text, "    crs: %s", code));
             line(text, "    radius: %s", Quantity.LENGTH.inWords(radius));
-            line(text, "    accuracy: 1 m  # maximum vertical error that thinning out the triangles may cause");
+            line(text, "    accuracy: 1 m  # maximum vertical error that simplifying the terrain mesh may cause");
             line(
                     text,
                     isSurface

@@ -126,7 +126,7 @@ final class FieldPictures {
             sheet.entry(HeightFills.of(grid, bound), Numbers.text(below) + " to " + metres(bound));
             below = bound;
         }
-        sheet.entry(HeightFills.of(grid, Double.NaN), "not up to " + metres(below));
+        sheet.entry(HeightFills.of(grid, Double.NaN), "none up to " + metres(below));
         if (Arrays.stream(ground).anyMatch(ReliefShade::isNothing)) {
             sheet.entry((u, v, any) -> fill(grid, Double.NaN).at(u, v, ReliefShade.NOTHING.getRGB()), "no ground");
         }

@@ -84,7 +84,7 @@ public final class WarningMap {
         }
         sheet.explainSensors();
         sheet.space();
-        sheet.line("straight lines between " + InboundWarnings.BEARINGS + " bearings;");
+        sheet.line("points at " + InboundWarnings.BEARINGS + " bearings, joined by lines;");
         sheet.line("where a line meets the zone, or the centroid:");
         sheet.line("no detection before the drone arrives");
         sheet.caption("Where a drone that flies in straight is first detected, by height.");

@@ -49,15 +49,15 @@ final class RouteSentences {
         if (isNeverClosed()) {
             DirectedRoute route = best.remaining().get(0);
             return "Even past " + affordable() + ", a route remains on which no sensor detects the drone in time"
-                    + scene(route) + ": " + along(route) + ".";
+                    + scene(route) + begins(route);
         }
         if (value == 0.0) {
-            return "A route past the layout remains on which no sensor detects the drone" + scene(best.weakest()) + ": "
-                    + along(best.weakest()) + ".";
+            return "A route past the layout remains on which no sensor detects the drone" + scene(best.weakest())
+                    + begins(best.weakest());
         }
         return "On the weakest route past the layout" + scene(best.weakest())
                 + ", the drone is detected with a probability of " + detected(value) + " (exposure " + exposure(value)
-                + "), as estimated by the search: " + along(best.weakest()) + ".";
+                + "), as estimated by the search" + begins(best.weakest());
     }
 
     /** Whether all affordable candidates together leave a route without exposure. */
@@ -139,11 +139,13 @@ final class RouteSentences {
         return !best.byCondition().isEmpty();
     }
 
-    private static String along(DirectedRoute directed) {
+    /** Where a route begins, and how long it is: the rest of a sentence. */
+    private static String begins(DirectedRoute directed) {
         WeakestRoute route = directed.route();
         Position from = route.path().points().get(0);
         return PlaceTable.text(
-                "from %.1f, %.1f, %.1f in the %s, %.0f m in %.0f s",
+                "; the route begins at %.1f, %.1f, %.1f (east, north, up; m), in the %s, and is %.0f m long (%.0f s of"
+                        + " flight).",
                 from.x(),
                 from.y(),
                 from.z(),

@@ -178,7 +178,7 @@ class PlaceMomentsTest {
         assertThat(incomplete).isPositive();
     }
 
-    /** Before the first layout has been compared with the routes past it, there is none. */
+    /** Before the first layout has been tested against the weakest routes past it, there is none. */
     @Thorough
     @Test
     void theBestSoFarAgainstRoutesIsWhole() throws IOException {

@@ -114,7 +114,7 @@ class WeakestRouteWeathersTest {
         assertThat(results.lines())
                 .anyMatch(line ->
                         line.startsWith("On the weakest route past the layout, under the condition 'fast', the"))
-                .anyMatch(line -> line.contains("), as estimated by the search: from "))
+                .anyMatch(line -> line.contains("), as estimated by the search; the route begins at "))
                 .anyMatch(line -> line.startsWith("In the scene as it is, the layout detects the drone with a"));
         assertThat(json.get("as_it_is").asDouble()).isCloseTo(placement.asItIs(), within(1e-6));
         assertThat(json.get("conditions").get(0).get("name").asString()).isEqualTo("fast");

@@ -38,7 +38,7 @@ final class DetectionTables {
             "range at first detection [m]",
             "last detected [s]",
             "greatest range of detection [m]",
-            "detection rate (looks)");
+            "fraction of looks with a detection");
 
     private final RunResult run;
     private final RunLooks looks;
