@@ -35,10 +35,11 @@ import org.dronewatch.world.WorldSettings;
  * not depend on the scene.
  *
  * @param scene name of the scene whose conditions are used
- * @param run the run of the scene's sweep whose conditions are used, in words; empty if the scene has no sweep
+ * @param run the run of the scene's sweep whose conditions are used, as text; empty if the scene has no sweep
  * @param settings settings of the scene, or of that run
  * @param sensor name of the sensor
  * @param drone name of the drone
+ * @param fit the calibration of that sensor
  * @param range the requested range, m
  * @param probability the requested probability
  */

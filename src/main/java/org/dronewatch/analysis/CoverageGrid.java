@@ -7,11 +7,11 @@ import org.dronewatch.setting.Quantity;
 /**
  * A square grid of points at one height above the ground, at each of which a drone is placed.
  *
- * @param east east coordinate of the centre, -100 to 100 km, m
- * @param north north coordinate of the centre, -100 to 100 km, m
- * @param side length of a side, above 0 and at most 100 km, m
+ * @param east east coordinate of the centre, -100,000 to 100,000 m
+ * @param north north coordinate of the centre, -100,000 to 100,000 m
+ * @param side length of a side, above 0 and at most 100,000 m
  * @param cells number of points along a side, 2 to 2000
- * @param height height of the points above the highest surface below them, above 0 and at most 10 km, m
+ * @param height height of the points above the highest surface below them, above 0 and at most 10,000 m
  */
 public record CoverageGrid(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,

@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.world.World;
 
-/** The highest points of a site's surface, ground or roofs, for masts. */
+/** The highest points of a site's surface, ground or roofs, as sites for masts. */
 public final class HighPoints {
     /** Points along half a side of the square in which they are searched for. */
     private static final int STEPS = 40;

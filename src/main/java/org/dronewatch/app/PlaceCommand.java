@@ -175,7 +175,7 @@ final class PlaceCommand implements Callable<Integer> {
     /**
      * Prints the results; returns the exit code: that of a failure if no attack could be flown.
      *
-     * @param layout the file of the layout, as a word of a command line; empty if it was not written
+     * @param layout the file of the layout, as a command-line argument; empty if it was not written
      */
     private int printed(PlaceResults results, Optional<String> layout) {
         PrintWriter err = spec.commandLine().getErr();

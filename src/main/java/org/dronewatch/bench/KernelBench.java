@@ -57,7 +57,7 @@ public final class KernelBench {
     }
 
     /**
-     * Measures one set of rays, after warming up for a second, with at least one pass.
+     * Measures one set of rays, after warming up for at least a second and at least one pass.
      *
      * @param passes number of measured passes, 1 or more
      * @param progress is called after the warm-up, and after each measured pass
@@ -137,7 +137,10 @@ public final class KernelBench {
         return distances.clone();
     }
 
-    /** Triangles hit by the set measured most recently, by their number in the file; -1 for none. */
+    /**
+     * Triangles hit by the set measured most recently, by their number in the file; -1 for none. For segments, any
+     * other number only means that the segment is blocked.
+     */
     public int[] sourceTriangles() {
         return Arrays.stream(triangles)
                 .map(triangle -> triangle < 0 ? -1 : tree().mesh().sourceNumber(triangle))

@@ -26,6 +26,7 @@ public final class RayFile {
     /**
      * Reads a file of rays.
      *
+     * @return six numbers for each ray: origin, then direction
      * @throws InputException when the file is missing, its size does not match its count, or a ray is invalid
      */
     public static float[] read(Path file) {

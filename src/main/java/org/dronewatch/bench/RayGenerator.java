@@ -11,8 +11,8 @@ import org.jogamp.vecmath.Point3d;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * Generates rays for a model without a ray file: the rays of a camera inside the model's box, aimed at the middle of
- * the box, and diffuse reflections of these rays.
+ * Generates rays for the benchmark of a model if no ray file is given: the rays of a camera inside the model's box,
+ * aimed at the middle of the box, and diffuse reflections of these rays.
  */
 public final class RayGenerator {
     private static final int WIDTH = 1024;

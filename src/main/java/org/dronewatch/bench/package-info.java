@@ -1,2 +1,5 @@
-/** Benchmarks of the kernel's ray tracing in a model, with rays that other tracers can trace, too. */
+/**
+ * Benchmarks of the library's ray tracing in a model, with rays and hits in files, for comparison with other ray
+ * tracers.
+ */
 package org.dronewatch.bench;

@@ -68,9 +68,9 @@ public final class BuildingLoader {
     /**
      * Reads the buildings of a map.
      *
-     * @param settings with a file
+     * @param settings settings that name a file
      * @param origin origin of the world frame
-     * @param terrain the ground on which they stand; if empty, the level of the origin
+     * @param terrain the ground on which the buildings stand; if empty, the level of the origin
      * @throws InputException with a one-line message when the file is missing, damaged or in no known format, or has no
      *     building near the origin
      */

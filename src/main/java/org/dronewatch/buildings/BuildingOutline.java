@@ -9,12 +9,12 @@ import java.util.Optional;
  *
  * @param id identifier of the building on the map
  * @param name name of the building, if the map states one
- * @param isPart whether it is a building part, which has a separate height
+ * @param isPart whether this is a part of a building, with a height of its own
  * @param outer the outline, counter-clockwise: x and y in the world frame of each corner in turn, m, at the level of
  *     the origin
  * @param courts courtyards, clockwise, in the same form as the outline
- * @param bottom height of its lowest point above the lowest ground below it, 0 if it stands on the ground, m
- * @param top height of its highest point above the same ground, m
+ * @param bottom height of the building's lowest point above the lowest ground below it, m; 0 if it stands on the ground
+ * @param top height of the building's highest point above the same ground, m
  * @param isAssumed whether the height is assumed, since the map does not state it
  */
 public record BuildingOutline(

@@ -21,7 +21,7 @@ import org.dronewatch.setting.input.FileHash;
  * @param file the map, with the hash of its bytes as read
  * @param landCover land cover of the ground, if it was requested
  * @param description description of the map, in lines for the report
- * @param warnings about suspicious content, one line each
+ * @param warnings warnings about suspicious content, one line each
  */
 public record LoadedBuildings(
         TriangleMesh mesh,

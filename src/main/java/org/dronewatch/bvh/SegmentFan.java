@@ -6,8 +6,8 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Determines which of many segments with a common origin are blocked: the lines of sight from a sensor to many points.
- * The answers are those of {@link RayTracer#isOccluded} for each segment, except where nothing is skipped at the ends
- * of a segment that begins or ends on a triangle: rounding decides there, as it does for single rays. Segments of
+ * The answers are those of {@link RayTracer#isOccluded} for each segment, except for segments that begin or end on a
+ * triangle if nothing is skipped at their ends: rounding decides about these, as it does for single rays. Segments of
  * similar directions are traced together, in whatever order they are given; those that single precision cannot decide
  * are traced again, one by one. For use by one thread.
  */
@@ -51,11 +51,11 @@ public final class SegmentFan {
      * @param originX x of the common origin, m
      * @param originY y of the common origin, m
      * @param originZ z of the common origin, m
-     * @param vectors of the segments from the origin to their ends: x, y and z of each, m
+     * @param vectors vectors of the segments from the origin to their ends: x, y and z of each, m
      * @param count number of segments
      * @param skipped triangles within this distance of either end of a segment do not count, m; 0 or more, and more
      *     than 0 for ends on surfaces
-     * @param hidden receives for each segment whether any triangle blocks it; nothing blocks a segment without length
+     * @param hidden receives, for each segment, whether any triangle blocks it; nothing blocks a segment without length
      */
     public void trace(
             double originX,

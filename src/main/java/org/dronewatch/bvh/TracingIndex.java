@@ -96,10 +96,10 @@ public final class TracingIndex {
     }
 
     /**
-     * A new packet of incoherent rays that are traced together, or empty where that is not faster: it is faster in
-     * meshes of a few triangles where the processor's vector instructions can be used, and always in convex rooms of a
-     * few triangles. In such rooms, distances may differ from those of single rays by rounding, but do not depend on
-     * the processor or the traversal.
+     * A new packet of incoherent rays that are traced together, or empty where that is not faster. Packets are faster
+     * in meshes of a few triangles if the processor's vector instructions can be used, and in convex rooms of a few
+     * triangles in any case. In such rooms, distances may differ from those of single rays by rounding, but do not
+     * depend on the processor or the traversal.
      */
     public Optional<RayPacket> newRayPacket() {
         if (few.isEmpty()) {

@@ -181,8 +181,8 @@ public final class CampaignPlan implements Cases {
     }
 
     /**
-     * SHA-256 hashes of the files that values of settings name, apart from the models of the variants; in a fixed
-     * order.
+     * SHA-256 hashes of the files named by values of settings that vary, apart from the models of the variants; in a
+     * fixed order.
      */
     public List<String> variedHashes() {
         return varied.hashes();

@@ -40,8 +40,8 @@ public final class CampaignReader {
     }
 
     /**
-     * A problem that comes up when the cases are prepared, its message preceded by the location in the file of the
-     * setting with which the message begins; the same problem if the message begins with no setting of the file.
+     * Adds a location to a problem that came up while the cases were prepared. If the message begins with a setting of
+     * the file, the new message begins with the location of that setting; otherwise the problem is returned as it is.
      *
      * @param file the file that was read
      */

@@ -12,9 +12,10 @@ import org.dronewatch.campaign.outcome.Shard;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Runs the cases of a campaign in chunks of consecutive cases. Each chunk is handed over as a whole, so that an
- * interrupted campaign can be resumed: chunks that were kept are not run again. If the outcomes decide how many cases
- * there are, they are considered in the order of the cases; some cases of the last chunk may then be superfluous.
+ * Runs the cases of a campaign in chunks of consecutive cases. The results of each chunk are kept as a whole ({@link
+ * Chunks}), so that an interrupted campaign can be resumed: chunks that were kept are not run again. If the outcomes
+ * decide how many cases there are, they are considered in the order of the cases; some cases of the last chunk may then
+ * be superfluous.
  */
 public final class CampaignRun {
     /** Number of cases in a chunk: a few seconds of work, and few files. */
@@ -32,7 +33,7 @@ public final class CampaignRun {
         /**
          * Keeps the results of a chunk, all or none of them.
          *
-         * @param results by case, then variant
+         * @param results the results by case, then variant
          */
         void put(int chunk, List<CaseResult> results);
     }

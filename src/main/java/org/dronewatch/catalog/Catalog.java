@@ -185,8 +185,8 @@ public final class Catalog implements Kinds.NamedSettings {
      * The sensors of a system, as if a scene file contained it.
      *
      * @param id the name of the system in the scene; its part {@code radar} is then {@code ID-radar}
-     * @param name of the system, one whose parts {@link #partsOf} knows
-     * @param position of all sensors of the system, m
+     * @param name name of the system, one whose parts {@link #partsOf} knows
+     * @param position position of all sensors of the system, m
      * @throws InputException when one of its entries is invalid
      */
     public Map<String, SensorSettings<?>> settingsOfSystem(String id, String name, Position position) {
@@ -215,9 +215,9 @@ public final class Catalog implements Kinds.NamedSettings {
     }
 
     /**
-     * The name of the library entry to which a sensor corresponds: an entry of which the sensor has every stated
-     * setting; if there are several, the one that states the most; empty if there is none. The sensor's position, aim
-     * and detection function do not matter.
+     * The name of the library entry to which a sensor corresponds: an entry of the same kind whose stated settings all
+     * equal those of the sensor; if there are several, the one that states the most; empty if there is none. The
+     * sensor's position, aim and detection function do not matter.
      */
     public static Optional<String> nameOf(SensorSettings<?> sensor) {
         Optional<String> best = Optional.empty();

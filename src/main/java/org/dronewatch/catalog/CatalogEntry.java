@@ -25,8 +25,8 @@ import org.dronewatch.world.WorldSettings;
  * @param source where the figures are published
  * @param basis the extent to which the settings are based on these figures
  * @param note assumptions, and the calibration of the settings
- * @param coverage field of view, in words
- * @param price in words, with currency and year
+ * @param coverage description of the field of view
+ * @param price price as text, with currency and year
  * @param ranges ranges that the manufacturer states; empty when none are published
  * @param sensor settings as in a scene file, without a position
  */
@@ -54,8 +54,8 @@ public record CatalogEntry(
      * A range that a manufacturer states, as this library interprets it: for a straight approach over flat grass,
      * sensor and drone 10 m above it.
      *
-     * @param distance m
-     * @param target in words
+     * @param distance the range, m
+     * @param target description of the target
      * @param drone settings of the drone for which the range holds, overriding those of the small quadrotor
      * @param world settings of the world in which the range holds, overriding those of a quiet world
      */

@@ -16,7 +16,7 @@ public final class CatalogTexts {
     /**
      * The file of an entry, with its source, its assumptions and its settings.
      *
-     * @param name of a sensor, a system or a positioner
+     * @param name name of a sensor, a system or a positioner
      * @throws InputException when there is none of that name
      */
     public static String of(String name) {

@@ -22,7 +22,7 @@ public final class SensorKinds {
     /**
      * The kinds needed to read sensors from settings files.
      *
-     * @param catalog in which {@code use} finds sensors by name
+     * @param catalog the catalogue in which {@code use} finds sensors by name
      */
     public static Kinds kinds(Catalog catalog) {
         return Kinds.FOUND.with(SensorSettings.class, catalog).with(PositionerSettings.class, new Positioners());

@@ -10,10 +10,10 @@ import org.dronewatch.setting.SettingsForm;
  * A transmission in bursts, each on a channel chosen at random, as in frequency hopping; with a single channel, it
  * merely has a duty cycle.
  *
- * @param rate bursts per second, 0.001 Hz to 1 MHz, Hz
+ * @param rate number of bursts per second, 0.001 to 1e6 Hz
  * @param dutyCycle fraction of the time during which the transmitter is on, above 0 and at most 1
- * @param channels number of channels among which it hops, 1 to 1,000,000
- * @param span total width of all channels, 1 Hz to 10 GHz, Hz; it has no effect with a single channel
+ * @param channels number of channels among which the transmitter hops, 1 to 1,000,000
+ * @param span total width of all channels, 1 to 1e10 Hz; it has no effect with a single channel
  */
 public record Bursts(
         @In(value = Quantity.FREQUENCY, from = 1e-3, to = 1e6) double rate,

@@ -249,7 +249,7 @@ public final class Drone {
         return gliding.isEmpty();
     }
 
-    /** The drone's source level for the level model in its present state of flight, dB. */
+    /** The drone's source level in its present state of flight, dB on the calibrated scale of the level model. */
     public double soundLevel() {
         return settings.emission().soundLevel(this);
     }

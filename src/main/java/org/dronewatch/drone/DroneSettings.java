@@ -191,8 +191,8 @@ public record DroneSettings(
     }
 
     /**
-     * A bird, which sensors may mistake for a drone: silent, and without a transmitter; its temperature difference is
-     * assumed.
+     * A bird, which sensors may mistake for a drone: inaudible (sound levels of 0 dB), and without a transmitter; its
+     * temperature difference from the background is that of the default drone, for want of a figure for birds.
      *
      * @param speed speed in flight, m/s
      * @param crossSection mean radar cross-section, m2

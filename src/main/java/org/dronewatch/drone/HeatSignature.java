@@ -9,8 +9,8 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * A drone's thermal signature.
  *
- * @param excess apparent temperature difference from its background while its motors run, averaged over its silhouette;
- *     negative if the drone is colder, -100 to 1000 K
+ * @param excess apparent temperature difference from its background while its motors run, averaged over its silhouette,
+ *     -100 to 1000 K; negative if the drone is colder
  * @param coolingTime time in which the excess falls to 37 % with the motors off, above 0 and at most 10,000 s
  */
 public record HeatSignature(

@@ -14,7 +14,7 @@ import org.dronewatch.setting.SettingsForm;
  * fibre, transmits nothing.
  *
  * @param control type of control
- * @param frequency carrier, 1 MHz to 100 GHz, Hz
+ * @param frequency carrier frequency, 1e6 to 1e11 Hz (1 MHz to 100 GHz)
  * @param power equivalent isotropic radiated power of the drone, -100 to 100 dBm
  * @param pilot position of the pilot's transmitter, m; omit it if that transmitter cannot be received
  * @param pilotPower equivalent isotropic radiated power of the pilot's transmitter, -100 to 100 dBm

@@ -17,7 +17,7 @@ import org.dronewatch.setting.Quantity;
  * @param purpose intention of its owner
  * @param platform type of aircraft
  * @param powerSource source of its power
- * @param weight take-off weight, above 0 and at most 10 t, kg
+ * @param weight take-off weight, above 0 and at most 10,000 kg
  * @param size largest dimension of the real drone, above 0 and at most 100 m; sensors see the model
  */
 public record ThreatLabel(
@@ -103,7 +103,7 @@ public record ThreatLabel(
         Limits.check(ThreatLabel.class, role, purpose, platform, powerSource, weight, size);
     }
 
-    /** The label in words: {@code attack, strike, fixed-wing, battery, 5 kg, 1.5 m}. */
+    /** The label as text, such as {@code attack, strike, fixed-wing, battery, 5 kg, 1.5 m}. */
     public String inWords() {
         Stream<String> words = Stream.of(role, purpose, platform, powerSource)
                 .filter(part -> !part.name().equals(Purpose.UNKNOWN.name()))

@@ -12,11 +12,11 @@ import org.dronewatch.world.Ground;
  * drone stays at the point.
  *
  * @param target the point, m
- * @param bearing direction of the approach, from the target: clockwise from north, rad
+ * @param bearing bearing of the approaching drone from the target, clockwise from north, rad
  * @param distance horizontal distance from the target at time 0, greater than the distance at which the dive begins, at
- *     most 100 km, m
- * @param height height of the level flight above the target, above 0 and at most 100 km, m
- * @param angle angle of the dive below the horizontal, 10 to 90 degrees, rad
+ *     most 100,000 m
+ * @param height height of the level flight above the target, above 0 and at most 100,000 m
+ * @param angle angle of the dive below the horizontal, rad, pi/18 to pi/2 (10 to 90 degrees)
  */
 public record Dive(
         Position target,

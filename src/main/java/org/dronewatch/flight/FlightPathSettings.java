@@ -97,9 +97,9 @@ public interface FlightPathSettings {
      * at the standoff distance.
      *
      * @param target the point, m
-     * @param bearing direction of the approach, from the target: clockwise from north, rad
-     * @param height height of the flight above the target, below it if negative, -100 to 100 km, m
-     * @param distance horizontal distance from the target at time 0, above 0 and at most 100 km, m
+     * @param bearing bearing of the approaching drone from the target, clockwise from north, rad
+     * @param height height of the flight above the target, below it if negative, -100,000 to 100,000 m
+     * @param distance horizontal distance from the target at time 0, above 0 and at most 100,000 m
      * @param standoff horizontal distance from the target at which the drone stops, 0 or more, less than the distance,
      *     m
      */
@@ -139,7 +139,7 @@ public interface FlightPathSettings {
      * A flight from waypoint to waypoint, from rest to rest at no more than the cruise speed; the drone stops at each
      * waypoint at which the path bends, and stays at the last one.
      *
-     * @param points 2 to 10,000 waypoints, consecutive ones 1 mm or more apart, m
+     * @param points 2 to 10,000 waypoints, m; consecutive ones must be 1 mm or more apart
      */
     record Waypoints(List<Position> points) implements FlightPathSettings {
         /** Checks the limits and copies the list. */
@@ -169,7 +169,7 @@ public interface FlightPathSettings {
      *
      * @param from position at time 0, m
      * @param release position at which the motors stop, m
-     * @param to end of the glide, below the point at which the motors stop, with a glide ratio of at most 30, m
+     * @param to end of the glide, m, below the point at which the motors stop; the glide ratio is at most 30
      */
     record Glide(Position from, Position release, Position to) implements FlightPathSettings {
         /** The highest glide ratio, above those that the best gliders of a drone's size reach. */
@@ -210,7 +210,7 @@ public interface FlightPathSettings {
      * A level circle, clockwise as seen from above.
      *
      * @param centre centre of the circle, m
-     * @param radius radius of the circle, 0.1 m to 100 km, m
+     * @param radius radius of the circle, 0.1 to 100,000 m
      * @param bearing bearing of the drone from the centre at time 0, clockwise from north, rad
      */
     record Orbit(

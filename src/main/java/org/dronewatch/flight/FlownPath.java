@@ -16,9 +16,9 @@ public interface FlownPath extends FlightPath {
     List<Leg> legs();
 
     /**
-     * The mean acceleration over the half second before a time, or since the start of the run if that is later. The
-     * interval ends at the given time because the future of a steered drone is not known, and a recorded flight must
-     * tilt like the steered one. The acceleration is zero within the first nanosecond of the run.
+     * The mean acceleration, m/s2, over the half second before a time, or since the start of the run if that is later.
+     * The interval ends at the given time because the future of a steered drone is not known, and a recorded flight
+     * must tilt like the steered one. The acceleration is zero within the first nanosecond of the run.
      */
     @Override
     default Position acceleration(double time) {

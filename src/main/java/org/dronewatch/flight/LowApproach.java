@@ -15,9 +15,9 @@ import org.dronewatch.world.GroundPoint;
  * with {@link TerrainFollowing}.
  *
  * @param target the point in plan view, as a pair of east and north coordinates, m
- * @param bearing direction of the approach, from the target: clockwise from north, rad
- * @param distance horizontal distance from the target at time 0, above 0 and at most 50 km, m
- * @param height height above the highest surface below, above 0 and at most 10 km, m
+ * @param bearing bearing of the approaching drone from the target, clockwise from north, rad
+ * @param distance horizontal distance from the target at time 0, above 0 and at most 50,000 m
+ * @param height height above the highest surface below, above 0 and at most 10,000 m
  * @param standoff horizontal distance from the target at which the drone stops, 0 or more, less than the distance, m
  */
 public record LowApproach(

@@ -14,7 +14,7 @@ import org.dronewatch.world.Ground;
  *
  * @param position position of the first hover, m
  * @param hoverTime duration of that hover, 0 to 1,000,000 s
- * @param height height of the climb, 1 mm to 100 km, m
+ * @param height height of the climb, 0.001 to 100,000 m
  */
 public record PopUp(
         Position position,

@@ -49,7 +49,7 @@ public final class SteeredFlight implements FlownPath {
      * rest, the drone keeps its heading.
      *
      * @param time seconds since the start of the run
-     * @param velocity m/s
+     * @param velocity velocity in the world frame, m/s
      * @throws IllegalArgumentException when the velocity exceeds the drone's speed or is null, or the flight is already
      *     known beyond that time
      * @throws IllegalStateException when the run is over, or another thread steers
@@ -64,7 +64,7 @@ public final class SteeredFlight implements FlownPath {
      * Commands a velocity and an attitude.
      *
      * @param time seconds since the start of the run
-     * @param velocity m/s
+     * @param velocity velocity in the world frame, m/s
      * @param attitude yaw, pitch and roll; does not depend on the velocity
      * @throws IllegalArgumentException when the velocity exceeds the drone's speed, the velocity or the attitude is
      *     null, or the flight is already known beyond that time

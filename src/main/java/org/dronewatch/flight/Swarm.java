@@ -14,7 +14,7 @@ import org.dronewatch.setting.Quantity;
  * follows the ground below itself, not that below the others.
  *
  * @param count number of drones, including the leader, 1 to 1000
- * @param spacing distance between neighbours, above 0 and at most 10 km, m
+ * @param spacing distance between neighbours, above 0 and at most 10,000 m
  * @param formation arrangement of the drones
  */
 public record Swarm(

@@ -18,10 +18,10 @@ import org.dronewatch.world.GroundPoint;
  * the path: objects thinner than that may be missed, and above a ridge between two samples the clearance may fall short
  * by a few millimetres. Where there is no surface below, the nearest known height along the path is used.
  *
- * @param points the path in plan view, as pairs of east and north coordinates: at least two, neighbours 1 mm or more
- *     apart, at most 50 km in total, m
- * @param height height above the highest surface, above 0 and at most 10 km, m
- * @param maxFlightPathAngle maximum angle of climb and descent, 5 to 85 degrees, rad
+ * @param points the path in plan view, as pairs of east and north coordinates, m: at least two points, consecutive ones
+ *     0.001 m or more apart, at most 50,000 m in all
+ * @param height height above the highest surface, above 0 and at most 10,000 m
+ * @param maxFlightPathAngle maximum angle of climb and descent, rad, pi/36 to 17 pi/36 (5 to 85 degrees)
  */
 public record TerrainFollowing(
         List<GroundPoint> points,

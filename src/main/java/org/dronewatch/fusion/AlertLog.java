@@ -38,7 +38,8 @@ public final class AlertLog {
     /**
      * Adds the looks that the sensors took at one time.
      *
-     * @return the alerts that they raise. An alert for several contacts has the number of the latest of them
+     * @return the alerts that these looks raise; an alert based on several contacts has the number of the contact whose
+     *     look completed it
      */
     public List<Alert> add(List<ContactLook> looks) {
         if (rule.isEmpty()) {
@@ -108,8 +109,8 @@ public final class AlertLog {
     }
 
     /**
-     * Removes contacts at which there will be no more looks. Until they are too old, their looks may still count
-     * together with those at other contacts.
+     * Removes contacts, given by their numbers, that receive no more looks. Their confirmations still count, together
+     * with those of other contacts, until they are too old for the rule.
      */
     public void forget(Collection<Integer> ended) {
         ended.forEach(contact -> {

@@ -55,7 +55,7 @@ public sealed interface AlertRule
      * @param count number of sensors, 1 to 1000
      * @param within time within which they must detect it, 0 to 3600 s
      * @param gate maximum difference between the bearings of two sensors' false alarms that count as one drone, 0 to
-     *     180 degrees, rad; a sensor that measures no bearing agrees with any. The gate has no effect on drones
+     *     pi rad (180 degrees); a sensor that measures no bearing agrees with any. The gate has no effect on drones
      */
     record SeveralSensors(
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int count,
@@ -70,8 +70,8 @@ public sealed interface AlertRule
         }
 
         /**
-         * A rule with a gate of 10 degrees, which is assumed: the difference between bearings from sensors 50 m apart
-         * to a drone at 300 m.
+         * A rule with a gate of 10 degrees, an assumption: about the difference between the bearings to a drone at
+         * 300 m from two sensors 50 m apart.
          */
         public SeveralSensors(int count, double within) {
             this(count, within, USUAL_GATE);

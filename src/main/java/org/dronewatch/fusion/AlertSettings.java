@@ -14,7 +14,7 @@ import org.dronewatch.setting.SettingsForm;
  * The conditions of an alert, the protected zones, and the time that the response takes.
  *
  * @param rule rule that determines when the sensors' looks raise an alert
- * @param confirm number of detections required of a sensor before it counts
+ * @param confirm confirmation required of a sensor: the number of its most recent looks that must detect the drone
  * @param protect the sphere that drones must not reach; omit it if there is none
  * @param zones further areas that drones must not reach, by name; the first that a drone enters counts
  * @param response time required between the alert and the drone's arrival, 0 to 86400 s; 0 if none is required

@@ -15,8 +15,8 @@ import org.dronewatch.world.World;
  *
  * @param name name of the area
  * @param settings settings of the area
- * @param bottom z of its bottom, m
- * @param top z of its top, m
+ * @param bottom z coordinate of its bottom, m
+ * @param top z coordinate of its top, m
  */
 public record AreaZone(String name, ProtectedArea settings, double bottom, double top) {
     /** The ground is looked at in this number of steps along each side of the rectangle around the area. */
@@ -100,7 +100,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return corners;
     }
 
-    /** The distance from a point to the zone's surface, 0 inside, m. */
+    /** The distance from a point to the zone's surface, m; 0 inside. */
     public double distance(Position position) {
         double above = Math.max(0.0, Math.max(bottom - position.z(), position.z() - top));
         return Math.hypot(above, beside(position.x(), position.y()));
@@ -142,8 +142,9 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
      * The position along a straight segment at which the zone's surface is first reached.
      *
      * @param from start of the segment, m
-     * @param to its end, m
-     * @return fraction of the segment, 0 when it begins inside; empty when it stays outside
+     * @param to end of the segment, m
+     * @return fraction of the segment before that position, 0 when the segment begins inside; empty when it stays
+     *     outside
      */
     public OptionalDouble entry(Position from, Position to) {
         double first = 0.0;

@@ -7,13 +7,13 @@ public final class ConfirmedLooks {
     private int next;
     private int hits;
 
-    /** A record without looks. */
+    /** A record to which no look has been added yet. */
     public ConfirmedLooks(Confirmation confirmation) {
         this.last = new boolean[confirmation.looks()];
         this.needed = confirmation.hits();
     }
 
-    /** Adds a look. Returns whether enough of the latest looks, this one included, detected the drone. */
+    /** Adds a look. Returns whether the latest looks, this one included, confirm the contact. */
     public boolean add(boolean detected) {
         hits += (detected ? 1 : 0) - (last[next] ? 1 : 0);
         last[next] = detected;

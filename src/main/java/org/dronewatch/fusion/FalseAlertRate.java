@@ -24,9 +24,9 @@ import org.dronewatch.world.Weather;
  * <p>Let s be the probability that a false alarm begins in a given cell in a given look, K the number of cells, f the
  * looks per second, and let the confirmation require detections in M of N looks. False alarms that last for one look
  * are confirmed {@code K f C(N-1, M-1) s^M (1-s)^(N-M+1)} times a second (C is the binomial coefficient): the rate of
- * looks that confirm one not confirmed by the look before. Those that last for L looks confirm themselves if L is M or
- * more, {@code K f s (1-s)^(N+L-1)} times a second. If L is above one but below M, J = M / L of them, rounded up, must
- * begin in the same cell within N + L - 1 looks; an upper bound on the rate is
+ * looks that confirm a false alarm which the look before did not confirm. Those that last for L looks confirm
+ * themselves if L is M or more, {@code K f s (1-s)^(N+L-1)} times a second. If L is above one but below M, J = M / L of
+ * them, rounded up, must begin in the same cell within N + L - 1 looks; an upper bound on the rate is
  * {@code K f s P(Poisson(s' (N+L-1)) >= J-1)} with s' = -ln(1-s).
  *
  * <p>Where false alarms are so frequent that they merge, fewer new ones would be confirmed the more frequent they are,
@@ -120,7 +120,10 @@ public record FalseAlertRate(
                         + " false alarms most of the time";
     }
 
-    /** A number as text: at least two digits, and in exponential notation if it is very small or large. */
+    /**
+     * A number as text: to two decimal places below 10, one below 100, and none from 100; in exponential notation below
+     * 0.01, except 0, and from 100,000.
+     */
     public static String brief(double value) {
         if (value == 0.0 || value >= 0.01 && value < 1e5) {
             return String.format(Locale.ROOT, value >= 100.0 ? "%.0f" : value >= 10.0 ? "%.1f" : "%.2f", value);

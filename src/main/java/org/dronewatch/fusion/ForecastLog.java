@@ -88,7 +88,7 @@ public final class ForecastLog {
         return Optional.ofNullable(alerts.get(contact));
     }
 
-    /** Removes contacts at which there will be no more looks. */
+    /** Removes contacts, given by their numbers, that receive no more looks. */
     public void forget(Collection<Integer> ended) {
         ended.forEach(contact -> {
             latest.remove(contact);

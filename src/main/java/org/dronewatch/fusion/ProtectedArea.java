@@ -17,9 +17,9 @@ import org.dronewatch.world.GroundPoint;
  *
  * @param area the 3 to 1000 corners of a polygon, in either winding order; omit it for a circle
  * @param centre the centre of a circle
- * @param radius the radius of a circle, above 0 and at most 100 km, m
- * @param floor height of its floor above the ground, 0 to 100 km, m; down to the ground unless set
- * @param height height of its top above the ground, above 0 and at most 100 km, m
+ * @param radius the radius of a circle, above 0 and at most 100,000 m
+ * @param floor height of its floor above the ground, 0 to 100,000 m; 0 unless set
+ * @param height height of its top above the ground, above 0 and at most 100,000 m
  */
 public record ProtectedArea(
         List<GroundPoint> area,
@@ -50,12 +50,12 @@ public record ProtectedArea(
         return new ProtectedArea(List.of(), Optional.empty(), Optional.empty(), 0.0, height);
     }
 
-    /** A polygon on the ground. */
+    /** An area with a polygonal outline, from the ground to a height above it, m. */
     public static ProtectedArea polygon(List<GroundPoint> corners, double height) {
         return new ProtectedArea(corners, Optional.empty(), Optional.empty(), 0.0, height);
     }
 
-    /** A circle on the ground. */
+    /** An area with a circular outline of a given radius, m, from the ground to a height above it, m. */
     public static ProtectedArea circle(GroundPoint centre, double radius, double height) {
         return new ProtectedArea(List.of(), Optional.of(centre), Optional.of(radius), 0.0, height);
     }

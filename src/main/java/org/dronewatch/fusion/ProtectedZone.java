@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
  * A protected zone: a sphere that drones must not reach.
  *
  * @param centre its centre, m
- * @param radius its radius, above 0 and at most 100 km, m
+ * @param radius its radius, above 0 and at most 100,000 m
  */
 public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double radius) {
     /** Checks the limits. */
@@ -25,7 +25,7 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         return new ProtectedZone(centre, 10.0);
     }
 
-    /** The distance from a point to the zone's surface, 0 inside, m. */
+    /** The distance from a point to the zone's surface, m; 0 inside. */
     public double distance(Position position) {
         return Math.max(0.0, position.distance(centre) - radius);
     }
@@ -34,8 +34,9 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
      * The position along a straight segment at which the zone's surface is first reached.
      *
      * @param from start of the segment, m
-     * @param to its end, m
-     * @return fraction of the segment, 0 when it begins inside; empty when it stays outside
+     * @param to end of the segment, m
+     * @return fraction of the segment before that position, 0 when the segment begins inside; empty when it stays
+     *     outside
      */
     public OptionalDouble entry(Position from, Position to) {
         if (distance(from) == 0.0) {
@@ -53,7 +54,13 @@ public record ProtectedZone(Position centre, @In(value = Quantity.LENGTH, above 
         return share >= 0.0 && share <= 1.0 ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
-    /** The flight time to the zone's surface in a straight line at a speed in m/s, s: 50 s for 1 km at 20 m/s. */
+    /**
+     * The flight time in a straight line from a position to the zone's surface, s; 0 inside. For 1 km at 20 m/s, it is
+     * 50 s.
+     *
+     * @param position start of the flight, m
+     * @param speed speed of the drone, above 0, m/s
+     */
     public double timeLeft(Position position, double speed) {
         return distance(position) / speed;
     }

@@ -62,7 +62,8 @@ public record Protection(Optional<ProtectedZone> zone, List<AreaZone> areas) {
     /**
      * The position along a straight segment at which a zone is first reached.
      *
-     * @return fraction of the segment, 0 when it begins inside one; empty when it stays outside all zones
+     * @return fraction of the segment before that position, 0 when the segment begins inside a zone; empty when it
+     *     stays outside all zones
      */
     public OptionalDouble entry(Position from, Position to) {
         OptionalDouble first = zone.map(ball -> ball.entry(from, to)).orElse(OptionalDouble.empty());

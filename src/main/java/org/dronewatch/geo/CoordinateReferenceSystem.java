@@ -44,8 +44,8 @@ public final class CoordinateReferenceSystem {
      *
      * @param code such as {@code EPSG:25832}, in upper or lower case, or its URN or URL in a file; longitude and
      *     latitude may also be named {@code OGC:CRS84}
-     * @throws InputException when it is not a code, is not in PROJ4J's register, or is neither a grid nor longitude and
-     *     latitude
+     * @throws InputException when this is not a code, or the system is not in PROJ4J's register, or is neither a grid
+     *     nor longitude and latitude
      */
     public static CoordinateReferenceSystem of(String code) {
         String shown = PlainText.value(code);
@@ -86,7 +86,7 @@ public final class CoordinateReferenceSystem {
     /**
      * Checks a code in a setting.
      *
-     * @throws IllegalArgumentException when it is given but {@link #of} refuses it
+     * @throws IllegalArgumentException when a code is given but {@link #of} refuses it
      */
     public static void checkSetting(Optional<String> code) {
         try {

@@ -33,7 +33,12 @@ public record EarthPlace(
         }
     }
 
-    /** A place on the highest surface. */
+    /**
+     * A place on the highest surface.
+     *
+     * @param latitude latitude, north of the equator, rad
+     * @param longitude longitude, east of Greenwich, rad
+     */
     @Defaults({"latitude", "longitude"})
     public static EarthPlace at(double latitude, double longitude) {
         return new EarthPlace(latitude, longitude, Optional.empty(), Optional.empty());

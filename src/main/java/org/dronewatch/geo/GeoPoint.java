@@ -9,8 +9,8 @@ import java.util.List;
  *
  * @param longitude east of Greenwich, degrees
  * @param latitude north of the equator, degrees
- * @param height above the sea or, from {@link Geodesy#onEarth}, above the ellipsoid, m; above the level of the scene's
- *     origin if the origin's height is not known
+ * @param height height above the sea or, from {@link Geodesy#onEarth}, above the ellipsoid, m; above the level of the
+ *     scene's origin if the origin's height is not known
  */
 public record GeoPoint(double longitude, double latitude, double height) {
     /** A millimetre on the ground. */

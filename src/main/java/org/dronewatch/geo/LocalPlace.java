@@ -22,7 +22,7 @@ public record LocalPlace(
         Limits.check(LocalPlace.class, east, north, above);
     }
 
-    /** A place on the highest surface. */
+    /** A place on the highest surface; coordinates in m. */
     @Defaults({"east", "north"})
     public static LocalPlace at(double east, double north) {
         return new LocalPlace(east, north, 0.0);

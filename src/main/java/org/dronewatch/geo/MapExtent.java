@@ -112,9 +112,9 @@ public record MapExtent(double west, double east, double south, double north) {
      * system, or have no reference to the earth. Begins with a semicolon; empty if nothing suggests a mistake.
      *
      * @param map transform of the map from which the points come
-     * @param origin of the site
+     * @param origin origin of the site
      * @param near distance from the site that counts as close, m
-     * @param whose what the latitude and longitude that may be swapped belong to, such as {@code of the origin}
+     * @param whose words that state whose latitude and longitude may be swapped, such as {@code of the origin}
      */
     public String suspicion(MapTransform map, Origin origin, double near, String whose) {
         if (isEmpty()) {

@@ -40,7 +40,7 @@ public final class MapTransform {
      * A transform between a map and the world frame of a scene.
      *
      * @param crs coordinate reference system of the map
-     * @param origin of the scene
+     * @param origin origin of the scene
      */
     public MapTransform(CoordinateReferenceSystem crs, Origin origin) {
         CoordinateTransformFactory factory = new CoordinateTransformFactory();
@@ -59,8 +59,8 @@ public final class MapTransform {
     /**
      * The longitude and latitude (WGS 84) of a point of the map.
      *
-     * @param x to the east, in the unit of the system
-     * @param y to the north, in the unit of the system
+     * @param x eastward coordinate, in the unit of the system
+     * @param y northward coordinate, in the unit of the system
      * @param height height, m; unchanged
      * @throws InputException when the point is outside the domain of the system
      */
@@ -72,10 +72,10 @@ public final class MapTransform {
     /**
      * The position in the world frame of a point of the map, m.
      *
-     * @param x to the east, in the unit of the system
-     * @param y to the north, in the unit of the system
-     * @param height above the datum of the origin's height, -1e9 to 1e9 m; if that height is not known, the origin
-     *     counts as lying at a height of 0
+     * @param x eastward coordinate, in the unit of the system
+     * @param y northward coordinate, in the unit of the system
+     * @param height height above the datum of the origin's height, -1e9 to 1e9 m; if that height is not known, the
+     *     origin counts as lying at a height of 0
      * @throws InputException when the point is outside the domain of the system, or the height out of its range
      */
     public Position inWorld(double x, double y, double height) {
@@ -90,7 +90,7 @@ public final class MapTransform {
     /**
      * The map coordinates of a position in the world frame.
      *
-     * @param position m
+     * @param position the position, m
      * @throws InputException when the point is outside the domain of the system
      */
     public MapPoint onMap(Position position) {

@@ -23,7 +23,12 @@ public record Origin(
         Limits.check(Origin.class, latitude, longitude, height);
     }
 
-    /** An origin whose height is not known. */
+    /**
+     * An origin whose height is not known.
+     *
+     * @param latitude latitude, north of the equator, rad
+     * @param longitude longitude, east of Greenwich, rad
+     */
     @Defaults({"latitude", "longitude"})
     public static Origin at(double latitude, double longitude) {
         return new Origin(latitude, longitude, Optional.empty());

@@ -29,7 +29,7 @@ public final class CutTriangle {
     /**
      * A cutter of triangles.
      *
-     * @param corners of the triangles that are cut
+     * @param corners corners of the triangles that are cut
      * @param tolerance distance from the plane below which corners count as lying on it, m
      */
     public CutTriangle(Corners corners, double tolerance) {
@@ -97,8 +97,8 @@ public final class CutTriangle {
     }
 
     /**
-     * Whether point p comes after point q in the lexicographic order of their coordinates, by which a side is followed
-     * in the same direction in every triangle to which it belongs.
+     * Whether point p comes after point q in the lexicographic order of their coordinates. In this order, a side is
+     * followed in the same direction in every triangle to which it belongs.
      *
      * @param p three coordinates
      * @param q three coordinates

@@ -121,11 +121,17 @@ public final class IntersectionHandler {
 
     /**
      * The distance along a ray at which it is first inside a sphere, as {@link #raySphere(Ray, Point3d, double)}, but
-     * without allocating; for kernels.
+     * without allocating; for inner loops.
      *
+     * @param ox x of the ray's origin, m
+     * @param oy y of the origin, m
+     * @param oz z of the origin, m
      * @param dx x of the ray's direction, which must be of unit length
      * @param dy y of the direction
      * @param dz z of the direction
+     * @param centerX x of the sphere's centre, m
+     * @param centerY y of the centre, m
+     * @param centerZ z of the centre, m
      * @param radius radius in metres, above 0
      * @return the distance to the sphere, m; 0 when the ray starts inside it; infinity for a miss
      */

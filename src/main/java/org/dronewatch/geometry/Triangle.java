@@ -3,7 +3,7 @@ package org.dronewatch.geometry;
 import org.jogamp.vecmath.Vector3d;
 
 /**
- * A triangle of a mesh as a value, for convenience: the kernel does not use it.
+ * A triangle of a mesh as a value, for convenience: the ray tracers do not use this class.
  *
  * @param a first corner, m
  * @param b second corner, m

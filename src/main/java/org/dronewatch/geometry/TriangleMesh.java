@@ -7,7 +7,10 @@ import java.util.List;
  * resolution is 0.06 mm at 1 km from the frame's origin and 8 mm at 100 km, so put the origin near the site. Immutable.
  */
 public final class TriangleMesh {
-    /** The largest absolute value of a corner's coordinate, m: its square must not overflow. */
+    /**
+     * The largest absolute value of a corner's coordinate, m: products of coordinates, as in distances and areas, must
+     * not overflow in double precision.
+     */
     public static final float MAX_COORDINATE = 1e30f;
 
     private final float[] vertices;
@@ -161,6 +164,9 @@ public final class TriangleMesh {
     /**
      * Writes a normal of a triangle, on the side from which its corners run counter-clockwise: the cross product of two
      * edges; its length is twice the area. Does not allocate.
+     *
+     * @param triangle the triangle's number
+     * @param target receives x, y and z of the normal, m2
      */
     public void normal(int triangle, double[] target) {
         double ax = coordinate(triangle, 0, 0);

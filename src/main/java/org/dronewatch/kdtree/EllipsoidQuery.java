@@ -45,7 +45,7 @@ public final class EllipsoidQuery {
      *
      * @param a one focus, m
      * @param b the other focus, m
-     * @param sum of the distances of a point on the ellipsoid from both foci, m
+     * @param sum sum of the distances of a point on the ellipsoid from both foci, m
      */
     public void find(Position a, Position b, double sum) {
         cuts = false;
@@ -57,8 +57,8 @@ public final class EllipsoidQuery {
      *
      * @param a one focus, m
      * @param b the other focus, m
-     * @param sum of the distances of a point on the ellipsoid from both foci, m
-     * @param normal of the plane, of length 1
+     * @param sum sum of the distances of a point on the ellipsoid from both foci, m
+     * @param normal normal of the plane, of length 1
      * @param slack triangles up to this distance from the plane are included, m
      */
     public void findAtPlane(Position a, Position b, double sum, Position normal, double slack) {

@@ -14,7 +14,8 @@ package org.dronewatch.kdtree;
  * lowest bits are zero. This class numbers that grid in ascending order, so that the builder can round before it
  * compares and never compares a plane that it cannot store.
  *
- * <p>Public for the kernel's packages, which read nodes; only this package packs them.
+ * <p>Public for the library's other ray-tracing packages (bvh and raster), which read nodes; only this package packs
+ * them.
  */
 public final class KDNode {
     /** The kind of a leaf; kinds 0 to 2 are the split axis of an interior node. */

@@ -68,7 +68,7 @@ public final class KDTree {
     /**
      * Builds the tree of a mesh and reports its progress.
      *
-     * @param task advances to the number of triangles
+     * @param task receives the progress, up to the number of triangles
      * @throws CancellationException when the thread is interrupted while the tree is built
      */
     public static KDTree of(TriangleMesh mesh, SahCost costs, LongTask task) {
@@ -90,25 +90,30 @@ public final class KDTree {
         return new AABB(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
     }
 
-    /** The packed nodes, the root first; for the kernel's packages, which do not write to it. */
+    /**
+     * The packed nodes, the root first; for the ray-tracing packages of this library, which do not write to the array.
+     */
     public long[] nodes() {
         return nodes;
     }
 
     /**
-     * The indices of the leaves' triangles in {@link #triangles()}, leaf by leaf; for the kernel's packages, which do
-     * not write to it.
+     * The indices of the leaves' triangles in {@link #triangles()}, leaf by leaf; for the ray-tracing packages of this
+     * library, which do not write to the array.
      */
     public int[] leafTriangles() {
         return leafTriangles;
     }
 
-    /** The triangles in leaf order; for the kernel's packages. */
+    /** The triangles in leaf order; for the ray-tracing packages of this library. */
     public LeafOrderTriangles triangles() {
         return triangles;
     }
 
-    /** The root's box: minimum on three axes, then maximum; for the kernel's packages, which do not write to it. */
+    /**
+     * The root's box: minimum on three axes, then maximum, m; for the ray-tracing packages of this library, which do
+     * not write to the array.
+     */
     public float[] rootBox() {
         return bounds;
     }

@@ -53,12 +53,18 @@ public final class LeafOrderTriangles {
         return new LeafOrderTriangles(moved, numbers);
     }
 
-    /** Nine coordinates per triangle; for the kernel's packages, which do not write to it. */
+    /**
+     * Nine coordinates per triangle: x, y and z of each corner, m; for the ray-tracing packages of this library, which
+     * do not write to the array.
+     */
     public float[] corners() {
         return corners;
     }
 
-    /** The triangles' indices in the mesh; for the kernel's packages, which do not write to it. */
+    /**
+     * The triangles' indices in the mesh; for the ray-tracing packages of this library, which do not write to the
+     * array.
+     */
     public int[] numbers() {
         return numbers;
     }

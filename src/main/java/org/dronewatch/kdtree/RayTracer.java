@@ -10,17 +10,18 @@ import org.jogamp.vecmath.Vector3d;
  * A ray tracer of a mesh. One per thread: it holds the ray and the hit of its most recent query. The methods that take
  * primitives do not allocate.
  *
- * <p>Origins are in metres in the mesh's frame. A direction may have any length but zero; distances are ray parameters,
- * which are metres for a unit direction. Triangles are hit from either side.
+ * <p>Origins (ox, oy, oz) are in metres in the mesh's frame. A direction (dx, dy, dz) may have any length but zero;
+ * distances are ray parameters, which are metres for a unit direction. Triangles are hit from either side. The
+ * protected members are for the ray tracers of this library, in this package and in bvh.
  */
 public abstract class RayTracer {
-    /** Origin of the current ray; for the kernel's packages, which only read it. */
+    /** Origin of the current ray; subclasses only read it. */
     protected final double[] origin = new double[3];
 
-    /** Direction of the current ray; for the kernel's packages, which only read it. */
+    /** Direction of the current ray; subclasses only read it. */
     protected final double[] direction = new double[3];
 
-    /** One over each component of the direction; for the kernel's packages, which only read it. */
+    /** One over each component of the direction; subclasses only read it. */
     protected final double[] inverse = new double[3];
 
     final TriangleIntersection intersection;
@@ -29,9 +30,9 @@ public abstract class RayTracer {
     private boolean lacksBarycentrics;
 
     /**
-     * A tracer without a ray; for the kernel's packages.
+     * A tracer without a ray.
      *
-     * @param triangles of the mesh
+     * @param triangles triangles of the mesh
      */
     protected RayTracer(LeafOrderTriangles triangles) {
         this.intersection = new TriangleIntersection(triangles);
@@ -56,7 +57,9 @@ public abstract class RayTracer {
         return intersection.found();
     }
 
-    /** The nearest triangle along a ray, or empty. Allocates; kernels use the form that takes primitives. */
+    /**
+     * The nearest triangle along a ray, or empty. Allocates memory; inner loops use the method that takes primitives.
+     */
     public final Optional<Hit> closestHit(Ray ray) {
         Point3d o = ray.origin();
         Vector3d d = ray.direction();
@@ -68,6 +71,9 @@ public abstract class RayTracer {
     /**
      * Whether any triangle lies strictly between two ray parameters. Since rounding moves computed points slightly off
      * their surface, leave a margin at both ends of a segment between points on surfaces.
+     *
+     * @param tMin the lower ray parameter, 0 or more, exclusive
+     * @param tMax the upper ray parameter, exclusive
      */
     public final boolean isOccluded(
             double ox, double oy, double oz, double dx, double dy, double dz, double tMin, double tMax) {
@@ -124,8 +130,7 @@ public abstract class RayTracer {
     }
 
     /**
-     * Traces the current ray and stores the hit: tracers in other packages do so with {@link #setHit}; for the kernel's
-     * packages.
+     * Traces the current ray and stores the hit; tracers in other packages do so with {@link #setHit}.
      *
      * @param tMin the smallest ray parameter that counts
      * @param tMax the largest ray parameter that counts
@@ -135,34 +140,34 @@ public abstract class RayTracer {
 
     /**
      * Whether the ray misses a triangle although all edge functions have the same sign, which happens only for edge-on
-     * triangles; for the kernel's packages, which check their hits with it. The corners are relative to the ray,
-     * sheared so that the ray is at the origin.
+     * triangles; tracers check their hits with this method. The corners are relative to the ray's origin and sheared so
+     * that the ray lies along the third axis; the arguments are the other two coordinates of each corner.
      */
     protected static boolean isBeside(double ax, double ay, double bx, double by, double cx, double cy) {
         return TriangleIntersection.isBeside(ax, ay, bx, by, cx, cy);
     }
 
     /**
-     * Computes the barycentrics of the hit of the current ray for {@link #setBarycentrics}; for tracers in the kernel's
-     * packages that store hits without them.
+     * Computes the barycentrics of the hit of the current ray and passes them to {@link #setBarycentrics}; for tracers
+     * that store hits without barycentrics.
      */
     protected void findBarycentrics() {
         throw new IllegalStateException("hits are kept with their barycentrics");
     }
 
     /**
-     * Stores a hit of the current ray that was found with the same arithmetic as the kernel's triangle test, without
-     * its barycentrics; for the kernel's packages.
+     * Stores a hit of the current ray that was found with the same arithmetic as this package's triangle test, without
+     * its barycentrics.
+     *
+     * @param triangle index of the triangle in the mesh
+     * @param distance ray parameter of the hit
      */
     protected final void setHit(int triangle, double distance) {
         intersection.setHit(triangle, distance);
         lacksBarycentrics = true;
     }
 
-    /**
-     * Adds the barycentric weights of the second and third corners to the hit of the current ray; for the kernel's
-     * packages.
-     */
+    /** Adds the barycentric weights of the second and third corners to the hit of the current ray. */
     protected final void setBarycentrics(double u, double v) {
         intersection.setBarycentrics(u, v);
         lacksBarycentrics = false;

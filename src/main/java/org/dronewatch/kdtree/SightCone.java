@@ -4,8 +4,8 @@ import org.dronewatch.geometry.Position;
 
 /**
  * Determines whether all lines of sight from a point to a sphere are clear of the triangles of a tree, by a single
- * descent: whether no triangle comes near a pyramid that contains these lines. Remembers its most recent answer. For
- * use by one thread.
+ * descent: whether no triangle comes near a pyramid that has its apex at the point and contains these lines. Remembers
+ * its most recent answer. For use by one thread.
  */
 public final class SightCone {
     /** Four sides, one through the point, and one behind the sphere. */
@@ -46,7 +46,7 @@ public final class SightCone {
      * Whether it is certain that no triangle comes near a line of sight, up to the far side of the sphere.
      *
      * @param at the centre of the sphere, m
-     * @param radius of the sphere, m
+     * @param radius radius of the sphere, m
      * @return false if a triangle may come near, or if the point is close to the sphere
      */
     public boolean isClear(Position at, double radius) {

@@ -24,7 +24,7 @@ public record TreeParts(long[] nodes, int[] leafTriangles, int[] numbers, int de
      * The tree over a mesh. No traversal of the tree leaves its arrays or fails to terminate, whatever the parts
      * contain; whether they belong to the mesh cannot be checked.
      *
-     * @param costs with which the tree was built
+     * @param costs costs with which the tree was built
      * @throws IllegalArgumentException if the parts do not form a tree over as many triangles as the mesh has
      */
     public KDTree over(TriangleMesh mesh, SahCost costs) {

@@ -14,7 +14,7 @@ public final class Viewshed {
     }
 
     /**
-     * Fraction of the plan area within a radius whose ground the terrain hides from the eye.
+     * Fraction of the ground within a radius of the plan origin, by plan area, that the terrain hides from the eye.
      *
      * @param eyeAboveGround height of the eye above the ground at the plan origin, metres
      * @param radius metres, at most half the terrain's edge

@@ -29,6 +29,7 @@ public final class LongTask implements AutoCloseable {
         /**
          * Called when a task begins.
          *
+         * @param what what the task does, in words
          * @param steps number of steps; negative if that is not known
          */
         void started(String what, long steps);

@@ -135,10 +135,11 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Runs an action for each number from 0 on, in any order, on the available threads; returns when all are done.
+     * Runs an action for each number from 0 to {@code count} - 1, in any order, on the available threads; returns when
+     * all calls are done.
      *
      * @param count number of calls
-     * @param action must not depend on the other calls
+     * @param action the action; no call may depend on the others
      * @throws CancellationException when the caller's thread is interrupted
      * @throws RuntimeException the first failure, unchanged, as are errors; calls that have not begun are then omitted
      */
@@ -147,11 +148,12 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
-     * Runs an action for each number from 0 on, with separate scratch memory for each thread.
+     * Runs an action for each number from 0 to {@code count} - 1, as {@link #forEach(int, IntConsumer)}, but with
+     * separate scratch memory for each thread.
      *
      * @param count number of calls
-     * @param scratch makes the memory, for each thread that takes part
-     * @param action must not depend on the other calls
+     * @param scratch creates the memory of one thread
+     * @param action the action; no call may depend on the others
      * @throws CancellationException when the caller's thread is interrupted
      * @throws RuntimeException the first failure, unchanged, as are errors; calls that have not begun are then omitted
      */

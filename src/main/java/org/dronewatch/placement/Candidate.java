@@ -7,7 +7,7 @@ package org.dronewatch.placement;
  * @param cost cost, 0 or more, in any currency
  * @param kind kind, such as {@code radar}; empty if kinds do not matter
  * @param exclusive the position that the candidate occupies, as a text: at most one of the candidates with the same
- *     text is chosen; empty if it excludes no other
+ *     text is chosen; empty if the candidate excludes no other
  * @param fixed whether the sensor is already there and so is always chosen; its cost still counts
  */
 public record Candidate(String name, double cost, String kind, String exclusive, boolean fixed) {

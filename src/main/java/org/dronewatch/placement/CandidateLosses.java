@@ -27,7 +27,12 @@ public final class CandidateLosses {
         this.needs = conditions.needsOneOf();
     }
 
-    /** The chosen candidates that still work without the lost one, by their numbers, in the same order. */
+    /**
+     * The chosen candidates that still work without the lost one, in the same order.
+     *
+     * @param chosen indices of the chosen candidates in the list of names
+     * @param lost index of the lost candidate, which is one of them
+     */
     public List<Integer> remaining(List<Integer> chosen, Integer lost) {
         List<Integer> remaining = new ArrayList<>(chosen);
         remaining.remove(lost);
@@ -41,7 +46,12 @@ public final class CandidateLosses {
         return remaining;
     }
 
-    /** The names of the other chosen candidates that stop working without the lost one. */
+    /**
+     * The names of the other chosen candidates that stop working without the lost one.
+     *
+     * @param chosen indices of the chosen candidates in the list of names
+     * @param lost index of the lost candidate, which is one of them
+     */
     public List<String> idle(List<Integer> chosen, Integer lost) {
         List<Integer> remaining = remaining(chosen, lost);
         return chosen.stream()

@@ -27,8 +27,8 @@ public final class CandidateTable {
      * @param candidates the candidates, with distinct names
      * @param columns one column for each candidate
      * @param weights weights of the rows, 0 or more
-     * @param undetected for each row, the impact if no chosen candidate detects anything; NaN where the table does not
-     *     state it. Used for impacts only
+     * @param undetected for each row, the impact (such as damage) if no chosen candidate detects anything; NaN where
+     *     the table does not state it. Only for objectives that minimise impacts
      * @throws IllegalArgumentException when the arguments contradict each other
      */
     public CandidateTable(

@@ -11,13 +11,13 @@ import java.util.TreeMap;
  * @param budget greatest sum of costs; infinite for no limit
  * @param atMost greatest number of chosen candidates; {@link Integer#MAX_VALUE} for no limit
  * @param kinds limits by kind
- * @param fold how many chosen candidates must attain a value, or a better one, for this value to count in a row, 1 to
+ * @param fold k of k-fold coverage: the value of a row is the k-th best among the values of the chosen candidates; 1 to
  *     100
  * @param anyoneLost the value that must remain after the worst loss of a single chosen candidate (see
  *     {@link CandidateLosses}); empty for no such condition
- * @param needsOneOf by the name of each candidate that may be chosen only together with at least one of certain others,
- *     as a camera on a positioner needs a sensor that cues it, the names of these others; a candidate without any
- *     others is never chosen. Fixed candidates are chosen even if none of the others is
+ * @param needsOneOf for each candidate that may be chosen only together with at least one of certain others, by its
+ *     name: the names of these others, such as the sensors that can cue a camera on a positioner. A candidate with an
+ *     empty set is never chosen; fixed candidates are chosen even if none of the others is
  */
 public record PlacementConditions(
         double budget,
@@ -62,7 +62,7 @@ public record PlacementConditions(
         return new PlacementConditions(budget, atMost, other, fold, anyoneLost, needsOneOf);
     }
 
-    /** A copy in which another number of candidates must attain a value, or a better one, for this value to count. */
+    /** A copy with another {@linkplain #fold fold}. */
     public PlacementConditions withFold(int other) {
         return new PlacementConditions(budget, atMost, kinds, other, anyoneLost, needsOneOf);
     }
@@ -72,7 +72,9 @@ public record PlacementConditions(
         return new PlacementConditions(budget, atMost, kinds, fold, OptionalDouble.of(value), needsOneOf);
     }
 
-    /** A copy in which some candidates, by their names, are chosen only together with at least one of others. */
+    /**
+     * A copy in which some candidates, by their names, are chosen only together with at least one of certain others.
+     */
     public PlacementConditions withNeedsOneOf(Map<String, Set<String>> others) {
         return new PlacementConditions(budget, atMost, kinds, fold, anyoneLost, others);
     }

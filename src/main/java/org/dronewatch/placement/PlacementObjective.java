@@ -1,8 +1,8 @@
 package org.dronewatch.placement;
 
 /**
- * The objective of a placement: what is maximised or minimised. With k-fold conditions, the value of a row (a cell,
- * flight or route to be covered) is the k-th best value among the chosen candidates.
+ * The objective of a placement: what is maximised or minimised. If the {@linkplain PlacementConditions#fold fold} is k,
+ * the value of a row (a cell, flight or route to be covered) is the k-th best value among the chosen candidates.
  */
 public enum PlacementObjective {
     /**
@@ -27,7 +27,10 @@ public enum PlacementObjective {
     MEAN_IMPACT(false),
     /** The least possible value of the greatest impact in any row, whatever the weights: the p-centre. */
     WORST_IMPACT(false),
-    /** The greatest possible value of the least sum of values in any row, whatever the weights. */
+    /**
+     * The greatest possible value of the least sum, in any row, of the values of all chosen candidates, whatever the
+     * weights.
+     */
     WEAKEST_ROW(true);
 
     private final boolean isGreatest;
@@ -46,7 +49,10 @@ public enum PlacementObjective {
         return this == MEAN_IMPACT || this == WORST_IMPACT;
     }
 
-    /** Whether the value of a row is the best value of any chosen candidate, so that k-fold conditions make sense. */
+    /**
+     * Whether the value of a row is the best value of any chosen candidate, so that a
+     * {@linkplain PlacementConditions#fold fold} above 1 makes sense.
+     */
     public boolean takesBest() {
         return this == COVERED_WEIGHT || this == LEAST_COVERED_WEIGHT || isImpact();
     }

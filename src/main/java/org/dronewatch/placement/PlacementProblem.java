@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Candidates, an objective, and conditions. Immutable; thread-safe. */
+/**
+ * Candidates, an objective, and conditions. A layout is given as a list of the indices of the chosen candidates in the
+ * table. Immutable; thread-safe.
+ */
 public final class PlacementProblem {
     /** The value at which probabilities are capped. */
     public static final double CERTAIN = 1.0 - 1e-6;
@@ -24,8 +27,9 @@ public final class PlacementProblem {
     /**
      * A problem.
      *
-     * @throws IllegalArgumentException when a k-fold condition makes no sense for the objective, a probability is above
-     *     1, or the objective is an impact and a row states neither an impact for every candidate nor one for the case
+     * @throws IllegalArgumentException when the {@linkplain PlacementConditions#fold fold} is above 1, but the
+     *     objective does not {@linkplain PlacementObjective#takesBest take the best value}, a probability is above 1,
+     *     or the objective is an impact and a row states neither an impact for every candidate nor one for the case
      *     that no candidate detects anything
      */
     public PlacementProblem(CandidateTable table, PlacementObjective objective, PlacementConditions conditions) {
@@ -92,8 +96,8 @@ public final class PlacementProblem {
     }
 
     /**
-     * The impact in a row in which too few candidates detect anything: as stated, or else the worst of all candidates;
-     * 0 if the objective has no impacts.
+     * The impact in a row in which too few candidates detect anything: the one stated in the table or, if there is
+     * none, the greatest impact of any candidate in that row; 0 if the objective has no impacts.
      */
     public double undetected(int row) {
         return undetected[row];

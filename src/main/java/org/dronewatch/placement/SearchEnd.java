@@ -5,8 +5,9 @@ import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
 /**
- * Decides when searches that share it end before they are complete: once the time that they may take together is up, or
- * the user asks them to stop. A search that has no layout by then may go on for a few seconds more. Thread-safe.
+ * Decides when the searches that share this object end before they are complete: once the time that they may take
+ * together is up, or the user asks them to stop. A search that has no layout by then may go on for a few seconds more.
+ * Thread-safe.
  */
 public final class SearchEnd {
     /** How long a search without any layout may go on after it should have ended, s. */

@@ -11,7 +11,8 @@ import org.dronewatch.setting.Quantity;
  *
  * @param gap the search ends once value and bound differ by at most this fraction of the value, 0 to 1; 0 to prove that
  *     the layout is the best
- * @param end when the search ends without having reached the gap; what it has found by then depends on the machine
+ * @param end decides when the search ends without having reached the gap; the layout found by then depends on the speed
+ *     of the machine
  */
 public record SolverLimits(double gap, SearchEnd end) {
     /** No limits: the search ends once the layout is proven to be the best. */

@@ -1,8 +1,8 @@
 package org.dronewatch.positioner;
 
 /**
- * The proportions of a camera's image: the tangents of half its horizontal and vertical fields of view, relative to the
- * tangent of half the field of view in its settings.
+ * The proportions of a camera's image: the tangent of half its horizontal field of view, and that of half its vertical
+ * one, each divided by the tangent of half the field of view that the camera's settings state.
  *
  * @param width ratio for the horizontal field of view
  * @param height ratio for the vertical field of view

@@ -85,7 +85,7 @@ public final class Positioner {
         this.fov = widest;
     }
 
-    /** Whether a sensor of this name cues it. */
+    /** Whether the sensor with this name cues this positioner. */
     public boolean isCuedBy(String sensor) {
         return settings.cues().contains(sensor);
     }

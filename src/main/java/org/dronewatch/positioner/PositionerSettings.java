@@ -21,14 +21,15 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param cues names of the sensors that cue it; they must measure directions, as radars, cameras and microphone arrays
  *     do
- * @param panSpeed pan rate, above 0 and at most 600 degrees per second, rad/s
- * @param tiltSpeed tilt rate, above 0 and at most 600 degrees per second, rad/s
- * @param minTilt lowest elevation, -pi/2 to pi/2, rad
- * @param maxTilt highest elevation; not below the lowest, -pi/2 to pi/2, rad
+ * @param panSpeed pan rate, above 0 and at most 10 pi/3 rad/s
+ * @param tiltSpeed tilt rate, above 0 and at most 10 pi/3 rad/s
+ * @param minTilt lowest elevation of the axis, -pi/2 to pi/2, rad
+ * @param maxTilt highest elevation of the axis, not below minTilt, -pi/2 to pi/2, rad
  * @param delay time from another sensor's detection until the positioner begins to slew, 0 to 60 s
- * @param hold how long it waits for a drone that its camera no longer sees, 0 to 3600 s
- * @param lockPixels minimum number of pixels on a drone for the positioner's own camera to track it, even if the
- *     camera's detection function requires more, 1 or more; a camera that takes light and weather into account must at
+ * @param hold time for which it keeps following a drone that neither its own camera nor a cueing sensor sees, 0 to
+ *     3600 s
+ * @param lockPixels minimum number of pixels on a drone, 1 or more, for the positioner's own camera to track it, even
+ *     if the camera's detection function requires more; a camera that takes light and weather into account must at
  *     least detect it
  * @param search pattern of its search until it is cued
  * @param zoom how its lens zooms; omit it for a fixed lens
@@ -104,7 +105,7 @@ public record PositionerSettings(
      * @param from position of the positioner, m
      * @param target the position to which it turns, m
      * @param widest its sensor's own field of view, rad
-     * @return the pointing; it does not reach the position if that is too high or too low
+     * @return the pointing, with its elevation limited to the range of the tilt
      */
     public Pointing turnedTo(Position from, Position target, double widest) {
         Position offset = target.minus(from);
@@ -127,7 +128,7 @@ public record PositionerSettings(
         return SettingsForm.with(this, Map.of("panSpeed", pan, "tiltSpeed", tilt));
     }
 
-    /** These settings with another time for which it waits for a drone that is no longer seen, s. */
+    /** These settings with another time for which the positioner keeps following a drone that is no longer seen, s. */
     public PositionerSettings withHold(double seconds) {
         return SettingsForm.with(this, "hold", seconds);
     }

@@ -10,10 +10,10 @@ import org.dronewatch.setting.Quantity;
  * line from near to far, stop by stop, but it begins where the drone's size in the cueing sensor's image suggests that
  * the drone is.
  *
- * @param minRange points of the line that are closer than this to the cueing sensor or to the positioner are not
- *     searched, 1 m to 10 km, m
- * @param minSize square root of the visible area of the smallest drone, 0.01 to 100 m, m
- * @param maxSize square root of the visible area of the largest drone; not below that of the smallest, 0.01 to 100 m, m
+ * @param minRange minimum distance from both the cueing sensor and the positioner at which the line is searched, 1 to
+ *     10,000 m
+ * @param minSize square root of the visible area of the smallest drone, 0.01 to 100 m
+ * @param maxSize square root of the visible area of the largest drone, at least minSize and at most 100 m
  * @param dwell how long the positioner stays at each stop, 0 to 60 s; at least one and a half intervals between its
  *     camera's looks
  */

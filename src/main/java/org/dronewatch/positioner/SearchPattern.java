@@ -41,7 +41,7 @@ public sealed interface SearchPattern {
     /**
      * A continuous clockwise rotation.
      *
-     * @param speed pan rate, above 0 and at most 600 degrees per second, rad/s
+     * @param speed pan rate, above 0 and at most 10 pi/3 rad/s
      */
     record Round(@In(value = Quantity.ANGULAR_SPEED, above = 0, to = 10 * Math.PI / 3) double speed)
             implements SearchPattern {
@@ -66,13 +66,13 @@ public sealed interface SearchPattern {
     }
 
     /**
-     * A scan of a sector back and forth or, with several rows, of a raster row by row from the lowest row up and back
-     * down. It begins at the left.
+     * A scan of a sector: back and forth in one row or, with several rows, row by row from the lowest row up and back
+     * down. The scan begins at the left.
      *
-     * @param width width of the sector, centred on the aim, 0.1 degrees to 2 pi, rad
+     * @param width width of the sector, centred on the aim, pi/1800 (0.1 degrees) to 2 pi rad
      * @param height height of the sector, centred on the aim, 0 to pi/2 rad
      * @param rows number of rows, 1 to 100; a single row lies at mid-height
-     * @param speed pan rate, above 0 and at most 600 degrees per second, rad/s
+     * @param speed pan rate, above 0 and at most 10 pi/3 rad/s
      */
     record Sweep(
             @In(value = Quantity.ANGLE, from = Math.PI / 1800, to = 2 * Math.PI) double width,
@@ -85,7 +85,7 @@ public sealed interface SearchPattern {
             Limits.check(Sweep.class, width, height, rows, speed);
         }
 
-        /** A scan back and forth in one row at 10 degrees per second. */
+        /** A scan back and forth in one row at 10 degrees per second, over a sector of a given width, rad. */
         @Defaults("width")
         public static Sweep of(double width) {
             return new Sweep(width, 0.0, 1, Math.toRadians(10.0));

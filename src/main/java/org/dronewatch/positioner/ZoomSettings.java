@@ -6,12 +6,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A lens that zooms in on the drone that the camera tracks. While the positioner searches, it has the sensor's own
- * field of view.
+ * A lens that zooms in on the drone that the camera tracks. While the positioner searches, the lens has the sensor's
+ * own field of view.
  *
- * @param cued field of view while another sensor cues it: wide enough for that sensor's errors, 0.01 to 179 degrees,
- *     rad
- * @param tracked field of view while the positioner's own camera tracks the drone, 0.01 to 179 degrees, rad
+ * @param cued field of view while another sensor cues it: wide enough for that sensor's errors, 0.01 to 179 degrees
+ *     expressed in rad
+ * @param tracked field of view while the positioner's own camera tracks the drone, 0.01 to 179 degrees expressed in rad
  * @param time time to zoom from the sensor's own field of view to the narrowest, 0 to 60 s
  */
 public record ZoomSettings(

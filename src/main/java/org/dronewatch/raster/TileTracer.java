@@ -35,7 +35,10 @@ public final class TileTracer {
     private double far = Double.POSITIVE_INFINITY;
     private final RasterWarmup warmup;
 
-    /** A tracer of a tree for use by one thread, with the warm-up of the process. */
+    /**
+     * A tracer of a tree, for use by one thread, with the process-wide warm-up counter
+     * ({@link RasterWarmup#OF_PROCESS}).
+     */
     public TileTracer(KDTree tree) {
         this(tree, RasterWarmup.OF_PROCESS);
     }
@@ -43,7 +46,8 @@ public final class TileTracer {
     /**
      * A tracer of a tree for use by one thread.
      *
-     * @param warmup counts pixels of large models; once it is over, vector instructions are used
+     * @param warmup counter of the pixels of large models that are drawn without vector instructions; these
+     *     instructions are used once enough pixels have been drawn for them to pay off
      */
     public TileTracer(KDTree tree, RasterWarmup warmup) {
         this(tree, RasterMode.of(tree.mesh().triangleCount()), warmup);
@@ -120,8 +124,8 @@ public final class TileTracer {
      *
      * @param firstColumn column of the tile's left pixels
      * @param firstRow row of the tile's top pixels
-     * @param columns 1 to {@link #WIDTH}
-     * @param rows 1 to {@link #HEIGHT}
+     * @param columns number of columns, 1 to {@link #WIDTH}
+     * @param rows number of rows, 1 to {@link #HEIGHT}
      */
     public void trace(int firstColumn, int firstRow, int columns, int rows) {
         if (singlyOnly) {
@@ -157,19 +161,25 @@ public final class TileTracer {
         }
     }
 
-    /** Whether the ray of a pixel of the tile traced most recently, counted from the tile's corner, hits a triangle. */
+    /**
+     * Whether the ray of a pixel hits a triangle, in the tile traced most recently; columns and rows are counted from 0
+     * at the tile's upper left corner.
+     */
     public boolean hits(int column, int row) {
         return pixels.hits(column, row);
     }
 
-    /** Ray parameter of the hit of a pixel of the tile traced most recently; infinity if there is none. */
+    /**
+     * Ray parameter of the hit of a pixel, in the tile traced most recently; infinity if there is none. Columns and
+     * rows as for {@link #hits}.
+     */
     public double parameter(int column, int row) {
         return pixels.parameter(column, row);
     }
 
     /**
-     * The index in the mesh of the triangle that a pixel of the tile traced most recently hits; undefined if there is
-     * none.
+     * The index in the mesh of the triangle that the ray of a pixel hits, in the tile traced most recently; undefined
+     * if there is none. Columns and rows as for {@link #hits}.
      */
     public int triangle(int column, int row) {
         return pixels.triangle(column, row);
@@ -177,7 +187,7 @@ public final class TileTracer {
 
     /**
      * Writes the distances of the hits of the pixels of the tile traced most recently: ray parameters times the lengths
-     * of the pixels' directions, in metres in the frame of the grid. Infinity for pixels without a hit.
+     * of the pixels' directions, m. Infinity for pixels without a hit.
      *
      * @param target array to be filled
      * @param first index of the tile's first pixel in the array
@@ -193,8 +203,8 @@ public final class TileTracer {
      *
      * @param firstColumn column of the tile's left pixels
      * @param firstRow row of the tile's top pixels
-     * @param columns 1 to {@link #WIDTH}
-     * @param rows 1 to {@link #HEIGHT}
+     * @param columns number of columns, 1 to {@link #WIDTH}
+     * @param rows number of rows, 1 to {@link #HEIGHT}
      */
     public void traceSingly(int firstColumn, int firstRow, int columns, int rows) {
         pixels.begin(firstColumn, firstRow, columns, rows);

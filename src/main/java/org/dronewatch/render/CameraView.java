@@ -33,9 +33,9 @@ public final class CameraView {
     /**
      * The view of a camera.
      *
-     * @param id of the camera in its scene
+     * @param id id of the camera in its scene
      * @param sensor settings of an imaging sensor
-     * @param history of the run, at least up to the times to be drawn
+     * @param history history of the run, at least up to the times to be drawn
      * @throws IllegalArgumentException if the sensor takes no pictures
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, RunHistory history) {
@@ -45,7 +45,7 @@ public final class CameraView {
     /**
      * The view of a camera.
      *
-     * @param id of the camera in its scene
+     * @param id id of the camera in its scene
      * @param sensor settings of an imaging sensor
      * @param pointings gives the pointing of its positioner at a time; empty for a camera on a fixed mount
      * @throws IllegalArgumentException if the sensor takes no pictures

@@ -8,9 +8,9 @@ import org.dronewatch.sensor.optics.CameraObject;
  * The viewpoint of a site view, on a sphere around its target. Immutable.
  *
  * @param target the point at the centre of the picture, m
- * @param bearing of the eye from the target, clockwise from north, rad
- * @param elevation of the eye above the horizontal, seen from the target, -pi/2 to pi/2, rad
- * @param distance from eye to target, above 0, m
+ * @param bearing bearing of the eye from the target, clockwise from north, rad
+ * @param elevation elevation of the eye above the horizontal, seen from the target, -pi/2 to pi/2, rad
+ * @param distance distance from eye to target, above 0, m
  * @param fov vertical field of view, rad
  */
 public record Orbit(Position target, double bearing, double elevation, double distance, double fov) {

@@ -27,7 +27,7 @@ public final class RayCollector implements RayRecorder {
     /**
      * A collector for the rays of the sensor and the drone with these names.
      *
-     * @param time for which the rays are traced, seconds since the start of the run
+     * @param time time for which the rays are traced, seconds since the start of the run
      */
     public RayCollector(String sensor, String drone, double time) {
         this.time = time;

@@ -82,7 +82,7 @@ public final class RecordedRays {
         return ends[ENDS * piece + which];
     }
 
-    /** The level at the end of a segment, dB. */
+    /** The level at the end of a segment, dB on the calibrated scale of the level model. */
     public float level(int piece) {
         return levels[piece];
     }

@@ -72,7 +72,7 @@ public final class SitePicture {
     /**
      * The state of the site at a time.
      *
-     * @param title of the picture
+     * @param title title of the picture
      * @param time seconds since the start of the run
      * @param detects whether the sensor with the first name detects the drone with the second name at that time
      * @param pointing where the positioner of the sensor with a given name points at that time; empty for a fixed mount

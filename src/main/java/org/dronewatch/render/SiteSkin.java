@@ -11,9 +11,9 @@ public interface SiteSkin {
      *
      * @param east coordinate of the point to the east, m
      * @param north coordinate of the point to the north, m
-     * @param column of the pixel that shows the point, in a picture of normal density, so that the colours may form
+     * @param column column of the pixel that shows the point, in a picture of normal density; lets the colours form
      *     patterns
-     * @param row of that pixel
+     * @param row row of that pixel
      * @param below the colour without the skin: red, green and blue in the lowest 24 bits
      * @return the colour with the skin; {@code below} where the skin has no colour
      */

@@ -9,7 +9,7 @@ import org.dronewatch.render.canvas.SensorMark;
 /**
  * The state of the site at one time, for a view.
  *
- * @param title of the picture
+ * @param title title of the picture
  * @param time seconds since the start of the run
  * @param sensors the sensors
  * @param drones the drones

@@ -11,9 +11,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param labels whether sensors and drones are named
  * @param outlines whether fields of view are drawn
  * @param flights whether the paths of drones are drawn
- * @param filter for the rays of sound that are drawn
- * @param skin laid over ground and roofs, if there is one
- * @param lines drawn in place of the paths of drones, if there are any
+ * @param filter filter for the rays of sound to be drawn
+ * @param skin overlay on ground and roofs; empty for none
+ * @param lines lines drawn in place of the paths of drones, if there are any
  */
 public record SiteStyle(
         double scale,

@@ -12,8 +12,8 @@ import org.dronewatch.report.file.Table;
 import org.knowm.xchart.XYChart;
 
 /**
- * Writes cost curves, each as a table and a plot. Axes are logarithmic, but those of plots over numbers of threads are
- * linear, as is the axis of costs that lie within a factor of two of each other.
+ * Writes cost curves, each as a table and a plot. The axes are logarithmic, with two exceptions: plots over numbers of
+ * threads have linear axes, and costs that differ by at most a factor of two have a linear axis.
  */
 public final class CostReport {
     /** Format of the numbers at logarithmic axes, which would otherwise be shown as 1E4. */
@@ -25,7 +25,7 @@ public final class CostReport {
      * Writes a CSV file and a PNG image for each curve.
      *
      * @param directory the target, which is created if missing and receives either all files or none
-     * @param study runs once the directory is known to be writable
+     * @param study returns the curves; called once the directory is known to be writable
      */
     public static void write(Path directory, Supplier<List<CostCurves>> study) {
         try (OutputDirectory target = new OutputDirectory(directory)) {

@@ -18,8 +18,8 @@ import org.dronewatch.sensor.Cause;
  * The rates of detection that follow from a detection field of single looks, in one mode of flight. At the centre of a
  * cell, the rate of a sensor follows from the probability of detection in a look there and the number of looks per
  * second ({@link org.dronewatch.sensor.Chance#hazard}); between the centres of eight cells, at two neighbouring heights
- * of the field above the ground, rates are interpolated (trilinearly), so that a route gains nothing at the boundary of
- * a cell that no sensor sees. Where a drone cannot be, the rates are 0: no route leads there.
+ * of the field above the ground, rates are interpolated (trilinearly), so that no route profits from a jump of the rate
+ * at the boundary of a cell that no sensor sees. The rates are 0 where a drone cannot be, since no route leads there.
  */
 public final class FieldExposure implements ExposureField {
     /** The value at which the probability of detection in a look is capped, so that all exposures are finite. */
@@ -186,8 +186,8 @@ public final class FieldExposure implements ExposureField {
     }
 
     /**
-     * {@inheritDoc} The bound is the least rate on any course except hovering, in any cell in which a drone can be and
-     * which may contribute to the rate at a point of the box; 0 if there is no such cell.
+     * {@inheritDoc} The bound is the least rate on any course except hovering, in any cell that a drone can enter and
+     * that may contribute to the rate at a point of the box; 0 if there is no such cell.
      */
     @Override
     public double least(Position low, Position high, int number) {

@@ -30,8 +30,8 @@ public record FlightMode(Kind kind, double speed) {
     }
 
     /**
-     * All modes in which a drone can fly, in the order of their kinds; slow flight is included only if a sensor rejects
-     * some radial speeds below the drone's cruise speed.
+     * All modes in which a drone can fly, in the order of their kinds; slow flight is included only if the drone can
+     * hover and a sensor rejects some radial speeds below the drone's cruise speed.
      *
      * @param sensors the sensors that the drone has to pass
      */

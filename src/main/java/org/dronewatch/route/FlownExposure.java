@@ -7,14 +7,14 @@ import java.util.Map;
 import java.util.OptionalDouble;
 
 /**
- * How exposed a drone is on a route as it is flown: to every look that the sensors take, assessed where it is taken
- * rather than in the cells of a field. The route begins at several equally likely moments within the period of the
- * slowest scan: probabilities are means over these moments.
+ * How exposed a drone is on a route as it is flown: the exposure to every look that the sensors take, assessed at the
+ * drone's position at that moment rather than in a cell of a field. The route begins at several equally likely moments
+ * within the period of the slowest scan: probabilities are means over these moments.
  *
- * @param flights for each of these moments, of which there is at least one, the looks that may detect the drone, in
- *     order of time
- * @param bySensor the exposure to each sensor along the whole route, {@linkplain #ofMean over all these flights}, in
- *     the order of the scene
+ * @param flights for each of these moments, the looks that may detect the drone, in order of time; there must be at
+ *     least one moment
+ * @param bySensor by name, the exposure to each sensor along the whole route, {@linkplain #ofMean averaged} over these
+ *     flights, in the order of the scene
  * @param alertInTime the probability that an alert comes early enough for a response, by the scene's rule, 0 to 1;
  *     empty if it is not known, or no response is required
  */
@@ -53,7 +53,7 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
         }
     }
 
-    /** The exposure where it is not known whether an alert comes in time. */
+    /** An exposure for which it is not known whether an alert comes in time. */
     public FlownExposure(List<List<Step>> flights, Map<String, Double> bySensor) {
         this(flights, bySensor, OptionalDouble.empty());
     }

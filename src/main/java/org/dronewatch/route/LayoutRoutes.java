@@ -55,7 +55,7 @@ public final class LayoutRoutes {
 
     /**
      * The exposure to a sensor, whether it is in the layout or not, along the part of a route on which a detection
-     * still leaves the response time.
+     * still leaves enough time for the response.
      *
      * @param routes the routes to which the given route belongs
      * @param sensor name of the sensor

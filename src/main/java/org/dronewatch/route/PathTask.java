@@ -4,7 +4,7 @@ import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
 /**
- * One task of a path to what is protected, such as a leg of a flight.
+ * One task on an intruder's path to what is protected, such as a leg of a flight.
  *
  * @param probability probability that the intruder is detected during this task, 0 to 1
  * @param mean expected duration, 0 or more, s

@@ -15,7 +15,7 @@ import org.dronewatch.sensor.Cause;
  * @param bySensor the times of each sensor's own causes, in the order of the scene
  */
 public record RouteCauses(CauseTimes dominant, Map<String, CauseTimes> bySensor) {
-    /** Nothing is known. */
+    /** No causes, where nothing is known. */
     public static final RouteCauses NONE = new RouteCauses(new CauseTimes(Map.of()), Map.of());
 
     /** Copies the map. */

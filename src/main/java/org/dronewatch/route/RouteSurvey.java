@@ -49,6 +49,7 @@ public record RouteSurvey(
     /**
      * The routes from all sectors.
      *
+     * @param site the routes of the site
      * @param response the time that a response takes, s; 0 if none is required
      * @param searched receives the number of each sector that was searched
      * @param stopped called if this thread has been interrupted and at least one sector is complete; it should clear

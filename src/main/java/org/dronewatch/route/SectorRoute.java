@@ -29,7 +29,8 @@ public record SectorRoute(
         RouteCauses causes,
         Optional<FlownExposure> flown) {
     /**
-     * The search misjudges a route if its probability of a detection differs from that of the flight by more than this.
+     * The search has misjudged a route if the probability of detection that it expected differs by more than this from
+     * that of the route as flown.
      */
     public static final double MISJUDGED = 0.2;
 
@@ -104,9 +105,9 @@ public record SectorRoute(
     }
 
     /**
-     * Whether a route from the sector on which the drone is less likely to be detected cannot be ruled out: the lower
-     * bound of the exposure is so low that the probability of a timely detection could be more than 20 percentage
-     * points below that of the route as flown.
+     * Whether the sector may have a route on which the drone is much less likely to be detected: the lower bound on the
+     * exposure is so low that the probability of a timely detection could be more than 20 percentage points below that
+     * of this route as flown.
      *
      * @param response time that the response takes, s; 0 if none is required
      */
@@ -164,7 +165,9 @@ public record SectorRoute(
         return searched.end().time() - response;
     }
 
-    /** The time from the median first detection to the arrival, s; empty if the drone cannot be detected. */
+    /**
+     * The time from the median time of the first detection to the arrival, s; empty if the drone cannot be detected.
+     */
     public OptionalDouble left() {
         OptionalDouble detected = flown.map(FlownExposure::medianDetection).orElseGet(searched::medianDetection);
         return detected.isPresent()

@@ -6,7 +6,7 @@ import org.dronewatch.scenario.SceneSettings;
 /**
  * One sensor by itself, and how the sensor detects a drone in each mode of flight.
  *
- * @param settings settings of a scene in which it is the only enabled sensor
+ * @param settings settings of a scene in which this sensor is the only enabled one
  * @param modes the modes, at least one; in the same order and over the same grid for all sensors that are compared
  */
 public record SensorFields(SceneSettings settings, List<ModeField> modes) {

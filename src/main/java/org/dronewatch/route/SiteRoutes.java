@@ -81,7 +81,7 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches for all routes from the edge of the known ground.
+     * Searches for all routes from the edge of the known ground, flown under power at the cruise speed.
      *
      * @param field field of single looks at the drone, on all courses
      * @param settings settings of the field's scene; the response time is that of the alerts
@@ -96,7 +96,7 @@ public final class SiteRoutes {
     }
 
     /**
-     * Searches for all routes.
+     * Searches for all routes, flown under power at the cruise speed.
      *
      * @param launch the area in plan view from which the routes come, at any height; if empty, they come from the edge
      *     of the known ground
@@ -282,7 +282,7 @@ public final class SiteRoutes {
         return route.path().flight(problem.modes());
     }
 
-    /** By sensor, the exposure along a whole route, even where a detection would come too late. */
+    /** By sensor, the exposure along a whole route, including the part on which a detection would come too late. */
     public Map<String, Double> bySensor(WeakestRoute route) {
         Map<String, Double> bySensor = new LinkedHashMap<>();
         sensors.forEach(sensor -> bySensor.put(

@@ -33,7 +33,7 @@ public record TimelyDetection(List<PathTask> tasks, Sensing sensing, double comm
     }
 
     /**
-     * The probability that the intruder is interrupted: detected, and with enough time left for the response,
+     * The probability that the intruder is interrupted, that is, detected with enough time left for the response:
      * {@code P_I = P_C sum_i PD_i prod_{j<i} (1 - PD_j) Phi((TR_i - RFT) / sqrt(var TR_i + var RFT))}. P_C is the
      * probability of communication, PD_i the probability of a detection in task i, TR_i the mean time left after this
      * detection, RFT the mean response time, var the variance of each of these times, and Phi the standard normal

@@ -61,7 +61,7 @@ public final class DetectionIntervals {
     /**
      * The total time for which a sensor detects a drone, s.
      *
-     * @param end the time until which this counts, seconds since the start of the run
+     * @param end the time up to which detections count, seconds since the start of the run
      */
     public double detectedFor(String sensor, String drone, double end) {
         double all = 0.0;

@@ -6,8 +6,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.setting.Spelling;
 
 /**
- * The results of all runs of a scene. A test that asserts them guards against unnoticed changes in a site's detection
- * ranges.
+ * The results of all runs of a scene. A test that asserts these results guards against unnoticed changes in a site's
+ * detection ranges.
  *
  * @param scene name of the scene
  * @param seed seed of the scene's random numbers

@@ -78,7 +78,7 @@ public final class Stage {
     /**
      * A stage with a perfect association of measurements.
      *
-     * @param runSeed of all random numbers of this run
+     * @param runSeed seed of all random numbers of this run
      * @throws org.dronewatch.setting.InputException when something cannot be loaded, or does not fit together
      */
     public Stage(SceneSettings settings, ModelCache models, long runSeed) {

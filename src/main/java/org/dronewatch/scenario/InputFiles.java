@@ -34,7 +34,10 @@ public record InputFiles(String settingsHash, List<FileHash> scene, Map<String, 
     }
 
     /**
-     * These inputs with other files that describe the scene: some that have been hashed, then more, each listed once.
+     * These inputs with other files that describe the scene, each listed once.
+     *
+     * @param described files that have been hashed
+     * @param more files to be hashed, which follow the others
      */
     public InputFiles withScene(List<FileHash> described, List<Path> more) {
         List<FileHash> all = new ArrayList<>(described);

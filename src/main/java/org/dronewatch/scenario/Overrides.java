@@ -51,7 +51,7 @@ public final class Overrides {
     }
 
     /**
-     * The scene with one more setting changed, but with sensors of the same names as before, as a sweep requires.
+     * The scene with one more setting changed. The names of the sensors stay the same, as a sweep requires.
      *
      * @throws InputException when the path leads nowhere or the value does not fit
      */

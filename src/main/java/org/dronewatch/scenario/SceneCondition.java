@@ -13,7 +13,7 @@ import org.dronewatch.setting.file.SettingsFile;
 /**
  * A condition such as night or rain: a name for changes to a scene's settings.
  *
- * @param name of the condition
+ * @param name name of the condition
  * @param changes one or more, in the order of the file
  */
 public record SceneCondition(String name, List<Change> changes) {
@@ -29,7 +29,7 @@ public record SceneCondition(String name, List<Change> changes) {
     /**
      * A change of one setting to another value.
      *
-     * @param path of the setting, as for {@code --set}
+     * @param path path of the setting, as for {@code --set}
      * @param value the new value, as text
      * @param mark location of the change in the file
      */

@@ -256,8 +256,11 @@ public record SceneSettings(
     }
 
     /**
-     * These settings as one run of a sweep: the swept setting has only this value, and the seed is that of the run; the
-     * first run keeps the given seed.
+     * These settings as one run of a sweep: the swept setting has only this value, and the seed is derived from the
+     * number of the run; the first run keeps the seed of these settings.
+     *
+     * @param number number of the run in the sweep, from 0
+     * @param value value of the swept setting, as text
      */
     public SceneSettings asRunWith(int number, String value) {
         Optional<SweepSettings> one = sweep.map(all -> new SweepSettings.Values(all.parameter(), List.of(value)));

@@ -10,7 +10,7 @@ import org.dronewatch.setting.InputException;
 /**
  * A scene with some settings changed by a condition, such as rain or night.
  *
- * @param name of the condition
+ * @param name name of the condition
  * @param settings settings of the scene with the changes of the condition
  */
 public record ConditionedScene(String name, SceneSettings settings) {

@@ -14,7 +14,7 @@ public final class GivenScene extends Scene {
     /**
      * A scene.
      *
-     * @param name in results and in the titles of windows
+     * @param name name of the scene in results and in the titles of windows
      * @param directory against which file names in the settings are resolved
      * @param settings complete settings, positions included
      */

@@ -46,7 +46,7 @@ public final class PilotedRun {
      * end of the run is dropped, so an action may keep rescheduling itself; the runner warns if a pilot schedules such
      * an action when it begins.
      *
-     * @param seconds from now, 0 or more
+     * @param seconds simulated time from now, 0 or more, s
      * @throws InputException when negative or not a number, or the action is null
      */
     public void after(double seconds, Runnable action) {

@@ -44,7 +44,7 @@ public final class SceneFile extends Scene {
     /**
      * A scene from a file. The file is read, and errors in it are found, when the scene is described.
      *
-     * @param file of at most 1 MiB, in UTF-8; file names in it are relative to its directory
+     * @param file the file, of at most 1 MiB, in UTF-8; file names in it are relative to its directory
      */
     public SceneFile(Path file) {
         this.file = file;

@@ -220,7 +220,7 @@ public final class SceneRunner {
      * The text of a scene file with these settings, which gives the same results.
      *
      * @param settings settings of the scene, or of one of its runs
-     * @param file that is to hold the text; models must be in its directory or below it
+     * @param file file that is to hold the text; models must be in its directory or below it
      * @throws InputException when a setting cannot be written
      */
     public String text(SceneSettings settings, Path file) {
@@ -236,8 +236,8 @@ public final class SceneRunner {
     }
 
     /**
-     * The settings with another value, as a sweep writes it: a sensor may be replaced by the name of one in the
-     * catalogue, but not by that of a system of sensors.
+     * The settings with one value changed, as a sweep does. The value of a sensor may be the name of a sensor in the
+     * catalogue, which replaces it, but not the name of a system of sensors.
      *
      * @param settings settings of the scene, or of one of its runs
      * @throws InputException when the path leads nowhere or the value does not fit
@@ -258,7 +258,7 @@ public final class SceneRunner {
     /**
      * Loads the models of one of the scene's runs, for runs by {@link org.dronewatch.run.RunSession}.
      *
-     * @return all models loaded so far; for any number of threads
+     * @return all models loaded so far, for use by any number of threads
      * @throws CancellationException when the thread is interrupted; its interrupt status is kept
      * @throws InputException when a model is invalid
      */
@@ -317,7 +317,7 @@ public final class SceneRunner {
      * The position of a place on the site of one of the scene's runs; only what this needs is loaded.
      *
      * @param option name of the option in messages, such as {@code --from}
-     * @param text as in a scene file, or latitude and longitude in degrees, separated by a comma
+     * @param text the place as in a scene file, or latitude and longitude in degrees, separated by a comma
      * @param settings one of {@link #settingsOfRuns()}
      * @throws InputException with a one-line message when the text is not a place, or the place has no position
      */

@@ -16,7 +16,8 @@ public final class SceneByName {
      * A packaged scene, or a scene file in or below the directory of the file that names it. A class cannot be named,
      * since no code is loaded from data.
      *
-     * @param directory of the naming file
+     * @param directory directory of the naming file
+     * @param name name of a packaged scene, or path of a scene file relative to the directory
      * @param file what the naming file is, for messages, such as {@code campaign file}
      * @throws InputException with a one-line message when there is no such scene, or its file is not in or below that
      *     directory

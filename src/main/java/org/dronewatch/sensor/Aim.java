@@ -42,7 +42,7 @@ public sealed interface Aim permits Aim.Direction, Aim.Target {
     /**
      * An aim in a direction.
      *
-     * @param azimuth azimuth of the axis, clockwise from north as on a compass, rad
+     * @param azimuth azimuth of the axis, clockwise from north as on a compass, -4 pi to 4 pi, rad
      * @param elevation elevation of the axis above the horizon, -pi/2 to pi/2, rad
      */
     record Direction(

@@ -58,13 +58,14 @@ public interface AssessableSensor extends Sensor {
 
     /**
      * Assesses a drone as {@link #assess} does, but at less cost where possible, for a field that stores probabilities
-     * in steps. A probability may be replaced by another one that counts as equal, but 0 and 1 are not replaced.
-     * Estimates may draw other random numbers; they are just as accurate, unless it matters only on which side of a
-     * limit they lie. The quantity may be lower for a drone that is detected and, if it is an estimate, for one that is
+     * in steps. A probability other than 0 and 1 may be replaced by another one that counts as equal. Estimates may
+     * draw other random numbers than those of {@code assess}, and are as accurate, except where only the side of a
+     * limit on which a probability lies has to be decided ({@link ProbabilityResolution#isSideOnly}). The quantity may
+     * be lower than that of {@code assess} for a drone that is detected and, if it is an estimate, for one that is
      * missed; the cause and the obstacle are the same unless they depend on an estimate. Calls {@code assess} unless
      * overridden.
      *
-     * @param resolution the probabilities that count as equal
+     * @param resolution the probabilities that count as equal; other parameters as for {@link #signal}
      */
     default Assessment assessCoarsely(
             World world,

@@ -38,8 +38,8 @@ public record Assessment(Signal signal, Explanation explanation) {
      *
      * @param settings settings of the sensor that was assessed
      * @param draw number drawn for the observer, above 0 and at most 1; it has no effect for a sensor of
-     *     {@link Chance#PER_LOOK}. To predict the detections of an observer drawn at random, average over many draws,
-     *     such as 1/32, 3/32, ... 31/32
+     *     {@link Chance#PER_LOOK}. To predict the detections of an observer drawn at random, average the probability of
+     *     a detection over many draws, such as 1/32, 3/32, ... 31/32
      */
     public double hazard(SensorSettings<?> settings, double draw) {
         return settings.chance().hazard(probability(), settings.rate(), draw);
@@ -91,7 +91,7 @@ public record Assessment(Signal signal, Explanation explanation) {
         return standardError() > 0.0 || probabilityError() > 0.0;
     }
 
-    /** The reason why the drone is not detected. */
+    /** The reason why the drone is not detected; {@link Cause#DETECTED} if it is detected. */
     public Cause cause() {
         return explanation.cause();
     }
@@ -102,8 +102,8 @@ public record Assessment(Signal signal, Explanation explanation) {
     }
 
     /**
-     * The limit of range, m, of radial speed, m/s, or of the carrier's frequency, Hz, that the drone violates, for
-     * causes that have such a limit.
+     * The limit of range, m, of radial speed, m/s, or of the carrier's frequency, Hz, that the drone violates; empty
+     * for causes without such a limit, and where the limit is unknown.
      */
     public OptionalDouble limit() {
         return explanation.limit();

@@ -13,10 +13,11 @@ import org.dronewatch.world.World;
 
 /**
  * Assesses sensors of every kind. If a sensor is not an {@link AssessableSensor}, the assessor takes one look, and
- * derives the cause of a miss from the sensor's field of view and from occlusion. The probability is then that of the
- * look, or 0 or 1 if the look states none. A look that states one may have drawn its threshold, so the probability
- * itself is the quantity, and the threshold is 0.5; for a drone that the look omits, the quantity is 0 and the
- * threshold 1. For use by one thread at a time.
+ * derives the cause of a miss from the sensor's field of view and from occlusion. If the look states the probability of
+ * a detection, the signal has this probability, which is also its quantity, with a threshold of 0.5: the look's own
+ * threshold may have been drawn at random. If the look states none, the signal has the look's value and threshold, and
+ * a probability of 1 if the look detects the drone and 0 if not. If the look omits the drone, the probability and the
+ * quantity are 0, and the threshold is 1. For use by one thread at a time.
  */
 public final class Assessor {
     private static final double EVEN_CHANCE = 0.5;
@@ -112,7 +113,7 @@ public final class Assessor {
                 : Optional.of(AssessmentBounds.UNKNOWN);
     }
 
-    /** Whether the sensor bounds its assessments. */
+    /** Whether the sensor is a {@link BoundingSensor}. */
     public boolean isBounding() {
         return sensor instanceof BoundingSensor;
     }
@@ -169,7 +170,7 @@ public final class Assessor {
         return new Assessment(signal, isKnown(drone) ? Explanation.DETECTED : Explanation.of(Cause.UNKNOWN));
     }
 
-    /** The sensor, if its signal may be interpolated. */
+    /** The sensor, if its signal may be interpolated; empty otherwise. */
     public Optional<InterpolableSensor> interpolable() {
         return sensor instanceof InterpolableSensor smooth ? Optional.of(smooth) : Optional.empty();
     }

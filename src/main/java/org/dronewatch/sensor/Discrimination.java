@@ -37,8 +37,8 @@ public enum Discrimination {
     }
 
     /**
-     * {@code P = x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x}, where x is the ratio of resolved to required line
-     * pairs.
+     * The target transfer probability function, {@code P = x^E / (1 + x^E)} with {@code E = 2.7 + 0.7 x}, where x is
+     * the ratio of resolved to required line pairs.
      */
     public static double transfer(double ratio) {
         if (ratio <= 0.0) {

@@ -85,7 +85,7 @@ public record Observation(
         return truth.drone();
     }
 
-    /** The time at which the measured event happened, seconds since the start of the run. */
+    /** The time at which the measured signal left its source, seconds since the start of the run. */
     public double time() {
         return truth.time();
     }

@@ -60,7 +60,12 @@ public sealed interface Outline {
             return forward.plus(right.times(middleRight)).plus(up.times(middleUp));
         }
 
-        /** The corners of the field at a distance along its axis, clockwise from the top left, m. */
+        /**
+         * The corners of the field in the world frame, m, at a distance along its axis, clockwise from the top left.
+         *
+         * @param sensor position of the sensor, m
+         * @param distance the distance, m
+         */
         public List<Position> corners(Position sensor, double distance) {
             List<Position> corners = new ArrayList<>();
             for (int i = 0; i < 4; i++) {

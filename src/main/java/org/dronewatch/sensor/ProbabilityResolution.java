@@ -4,9 +4,9 @@ package org.dronewatch.sensor;
  * How finely a probability of detection has to be resolved. A sensor may skip work that would only make a smaller
  * difference.
  *
- * @param high probabilities from this one up to 1, exclusive, count as equal, above 0 and at most 1
- * @param isSideOnly whether those below it count as equal, too: only the side on which a probability lies matters, and
- *     an estimate need only be accurate enough to show it
+ * @param high a limit, above 0 and at most 1: probabilities from the limit up to 1, exclusive, count as equal
+ * @param isSideOnly whether the probabilities below the limit count as equal, too: then only the side of the limit on
+ *     which a probability lies matters, and an estimate need only be accurate enough to show that side
  */
 public record ProbabilityResolution(double high, boolean isSideOnly) {
     /** Checks the limits. */

@@ -15,7 +15,9 @@ public interface RayRecorder {
      * @param toX x coordinate of its end, m: at a surface, at the sensor, or after 1 km if the ray hits nothing
      * @param toY y coordinate of its end, m
      * @param toZ z coordinate of its end, m
-     * @param level level of the ray at the end of the segment, dB on the calibrated scale of the level model
+     * @param level level of the ray: in the level model, at the end of the segment, dB on the calibrated scale of that
+     *     model; in the energy model, the level of the sound power that the ray carries at the start of the segment, dB
+     *     re 1 pW
      * @param order number of surfaces that the ray has hit before this segment
      * @param received whether the segment ends at the sensor
      */

@@ -28,7 +28,7 @@ public interface Thresholded {
      * @param step distance from one value to the next, above 0; 1 for whole numbers
      */
     record Scale(String setting, Quantity quantity, double lowest, double highest, double step) {
-        /** A millionth of a decibel: less than a tenth of a millimetre in a range of 100 m. */
+        /** A step of a millionth of a decibel, which changes a range of 100 m by less than a tenth of a millimetre. */
         public static final double FINE = 1e-6;
 
         /**

@@ -14,10 +14,10 @@ public final class AdvisedLimit {
     private AdvisedLimit() {}
 
     /**
-     * A limit rounded down to three significant digits: {@code 0.0333} for 1/30. The result may exceed the limit by at
-     * most 1e-12 of its value.
+     * The limit rounded down to three significant digits, such as {@code 0.0333} for 1/30. A limit that is a round
+     * number except for rounding errors gives that number, which may exceed the limit by up to 1e-12 of its value.
      *
-     * @param limit finite
+     * @param limit the limit, finite
      */
     public static String inWords(double limit) {
         BigDecimal rounded = new BigDecimal(limit + ROUNDING * Math.abs(limit)).round(DOWN);

@@ -17,15 +17,17 @@ public final class FormerNames {
      * A setting that had another name in earlier versions.
      *
      * @param record the settings record that has the setting
+     * @param former the former name of the setting
+     * @param current the current name of the setting
      */
     public record Renamed(Class<?> record, String former, String current) {}
 
     /**
      * Adds a setting given under a former name; the same location counts once.
      *
-     * @param form of the record that has the setting
+     * @param form form of the record that has the setting
      * @param former the name used
-     * @param place location: file, line and column, or the option
+     * @param place location of the name: file, line and column, or the option
      */
     public synchronized void add(SettingsForm form, String former, String place) {
         Renamed setting = new Renamed(form.type(), former, form.currentName(former));

@@ -78,13 +78,13 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
         return place.equals(placeOf(Kind.class));
     }
 
-    /** The origin of a class, in words for a list. */
+    /** The origin of a class, as text for a list. */
     public static String originOf(Class<?> type) {
         String place = placeOf(type);
         return isBuiltIn(place) ? BUILT_IN : place;
     }
 
-    /** The origin of the kind, in words for a list. */
+    /** The origin of the kind, as text for a list. */
     public String origin() {
         return builtIn ? BUILT_IN : source;
     }

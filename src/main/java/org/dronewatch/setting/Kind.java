@@ -41,7 +41,7 @@ public interface Kind<T> {
      * @param type the interface
      * @param name its name in files
      * @param settings a record class
-     * @param summary one line
+     * @param summary a description of one line
      */
     static <T> Kind<T> of(Class<? super T> type, String name, Class<? extends T> settings, String summary) {
         return new PlainKind<>(type, name, settings, summary, List.of());

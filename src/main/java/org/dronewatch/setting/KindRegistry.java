@@ -137,7 +137,10 @@ public final class KindRegistry {
         return byType.containsKey(type);
     }
 
-    /** The name of the kind, among those of a type, that has a word as a synonym; empty if there is none. */
+    /**
+     * The name of the kind of a type that has the given {@linkplain Kind#synonyms synonym}, in upper or lower case;
+     * empty if there is none.
+     */
     public Optional<String> byAnotherWord(Class<?> type, String word) {
         return all.stream()
                 .map(FoundKind::kind)

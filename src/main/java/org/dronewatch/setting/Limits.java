@@ -29,7 +29,7 @@ public final class Limits {
      * Checks the components of a record.
      *
      * @param record the record's class
-     * @param values one for each component, in their order
+     * @param values the values of the components, in their order
      * @throws IllegalArgumentException when a component is missing or outside its limits; the message names the
      *     component, its value and the limit
      */
@@ -104,8 +104,8 @@ public final class Limits {
      * it was written, as in {@code budget 1e400 must be 0 to 1e12}.
      *
      * @param part a component whose value is not within its limits
-     * @param written the number as a text, with a unit that can be read
-     * @return empty for other numbers without a unit or in the usual one
+     * @param written the number as a text, with a valid unit or without one
+     * @return the reason; empty for a number of representable size that has the usual unit or none
      */
     public static Optional<String> refusal(RecordComponent part, String written) {
         In limits = part.getAnnotation(In.class);

@@ -111,7 +111,7 @@ public enum Quantity {
         };
     }
 
-    /** A value in the unit in which it is displayed. */
+    /** Converts a value from the unit of this quantity to that in which it is displayed. */
     public double displayed(double value) {
         if (unit.equals(displayUnit()) || !Double.isFinite(value)) {
             return value;
@@ -164,7 +164,7 @@ public enum Quantity {
      * A value for a file, with its unit: {@link #parse} returns exactly this value. Angles are in degrees if the value
      * can be written exactly in degrees, otherwise in radians.
      *
-     * @param value finite
+     * @param value the value, finite
      */
     public String exactly(double value) {
         double inDegrees = Math.toDegrees(value);

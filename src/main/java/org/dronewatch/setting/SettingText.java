@@ -35,7 +35,7 @@ public final class SettingText {
     /**
      * Reads a value of a type.
      *
-     * @param type of a settings component
+     * @param type type of a settings component
      * @param quantity the quantity of a number
      * @throws IllegalArgumentException when the text is not a value of the type
      */
@@ -160,9 +160,9 @@ public final class SettingText {
     /**
      * Reads a record that consists of numbers only.
      *
-     * @param texts one for each component, or a single one for all if the record is marked with {@link OneForAll}
-     * @throws IllegalArgumentException when there are more or fewer, or when one is not a number or is outside its
-     *     limits
+     * @param texts one text for each component, or a single one for all if the record is marked with {@link OneForAll}
+     * @throws IllegalArgumentException when there are more or fewer texts than components, or when one is not a number
+     *     or is outside its limits
      */
     public static Record numbers(SettingsForm form, List<String> texts) {
         if (texts.size() == 1 && form.parts().size() > 1 && form.type().isAnnotationPresent(OneForAll.class)) {

@@ -193,7 +193,7 @@ public final class SettingsForm {
     /**
      * Creates a record.
      *
-     * @param values by name of the component: those of all required components, and of any others
+     * @param values values by name of the component: those of all required components, and of any others
      * @throws IllegalArgumentException when a limit is violated
      */
     public Record create(Map<String, Object> values) {
@@ -233,7 +233,7 @@ public final class SettingsForm {
      * A copy of a record with several components changed at once, so that limits that relate them to each other are
      * checked only for the result.
      *
-     * @param values by name of the component
+     * @param values values by name of the component
      * @throws IllegalArgumentException when a limit is violated, or the record has no such component
      */
     @SuppressWarnings("unchecked")

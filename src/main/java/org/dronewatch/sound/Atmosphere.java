@@ -52,9 +52,9 @@ public record Atmosphere(
     /**
      * Air without wind, and with the same temperature at all heights.
      *
-     * @param temperature K
+     * @param temperature air temperature, K
      * @param humidity relative humidity, 0 to 1
-     * @param pressure Pa
+     * @param pressure air pressure, Pa
      * @throws IllegalArgumentException if a value is out of range
      */
     public Atmosphere(double temperature, double humidity, double pressure) {
@@ -119,7 +119,7 @@ public record Atmosphere(
     /**
      * Loss of a pure tone by absorption in the air: ISO 9613-1, equations (3) to (5), (B.1) to (B.3).
      *
-     * @param frequency Hz, above 0
+     * @param frequency frequency, above 0, Hz
      * @return dB/m
      */
     public double attenuation(double frequency) {

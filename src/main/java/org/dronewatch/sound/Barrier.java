@@ -21,8 +21,8 @@ public final class Barrier {
     public static final double SINGLE_EDGE_SPAN = 0.3;
 
     /**
-     * Magnitude of the negative path difference, in wavelengths, beyond which an edge causes no attenuation: a Fresnel
-     * number of -0.1, since that counts half wavelengths.
+     * Magnitude of the negative path difference, in wavelengths, beyond which an edge causes no attenuation by
+     * Maekawa's curve: a Fresnel number of -0.1, since the Fresnel number counts half wavelengths.
      */
     public static final double MAEKAWA_REACH = 0.05;
 
@@ -40,8 +40,8 @@ public final class Barrier {
     /**
      * Fresnel number: path difference in half wavelengths, with its sign.
      *
-     * @param pathDifference m
-     * @param wavelength above 0, m
+     * @param pathDifference path difference, m
+     * @param wavelength wavelength, above 0, m
      */
     public static double fresnelNumber(double pathDifference, double wavelength) {
         return 2.0 * pathDifference / wavelength;
@@ -53,8 +53,8 @@ public final class Barrier {
      * formula reaches 0, and at most {@value #LIMIT} dB, the limit of the standards, since scattering and turbulence
      * fill deeper shadows.
      *
-     * @param pathDifference m
-     * @param wavelength above 0, m
+     * @param pathDifference path difference, m
+     * @param wavelength wavelength, above 0, m
      * @return 0 to 25 dB
      */
     public static double maekawa(double pathDifference, double wavelength) {
@@ -67,9 +67,9 @@ public final class Barrier {
      * several. The attenuation is at most {@value #ISO_SINGLE_EDGE_LIMIT} dB for one edge, and {@value #LIMIT} dB for
      * several.
      *
-     * @param pathDifference m
+     * @param pathDifference path difference, m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m
-     * @param wavelength above 0, m
+     * @param wavelength wavelength, above 0, m
      * @return 0 to 25 dB
      */
     public static double iso9613(double pathDifference, double span, double wavelength) {
@@ -83,9 +83,9 @@ public final class Barrier {
      * (homogeneous conditions); for one edge, this is Maekawa's curve. The factor C'' for several edges is 1 for a span
      * of up to {@value #SINGLE_EDGE_SPAN} m. The attenuation is at most {@value #LIMIT} dB.
      *
-     * @param pathDifference m
+     * @param pathDifference path difference, m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m
-     * @param wavelength above 0, m
+     * @param wavelength wavelength, above 0, m
      * @return 0 to 25 dB
      */
     public static double cnossos(double pathDifference, double span, double wavelength) {

@@ -18,7 +18,11 @@ import java.util.function.Function;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.Spelling;
 
-/** A table of the library, indexed by the names in its column {@code name}. */
+/**
+ * A table of the library, indexed by the names in its column {@code name}.
+ *
+ * @param <T> type of a row
+ */
 public final class CsvTable<T> {
 
     private final String what;
@@ -28,6 +32,7 @@ public final class CsvTable<T> {
      * Reads a table from the resources beside this class.
      *
      * @param what the word for a row in messages
+     * @param toRow converts the fields of a row
      */
     public CsvTable(String resource, String what, Function<NamedCsvRecord, T> toRow) {
         this.what = what;
@@ -55,7 +60,7 @@ public final class CsvTable<T> {
     }
 
     /**
-     * The row of a name.
+     * The row with this name.
      *
      * @throws InputException if there is none; its message names the closest matches
      */

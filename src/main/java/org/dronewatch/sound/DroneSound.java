@@ -9,7 +9,7 @@ import java.util.List;
  *
  * @param name its name in the table, or any name for a sound that is not in it
  * @param level A-weighted sound power level, dB re 1 pW
- * @param shape A-weighted level of each octave band relative to that of the loudest, dB
+ * @param shape A-weighted level of each octave band relative to the highest of these levels, dB
  * @param basis whether the spectrum was measured or is assumed
  * @param source source of the figures
  */

@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
  * An acoustic medium, treated as a fluid: solids carry longitudinal waves only.
  *
  * @param name its name in the table
- * @param density kg/m3, above 0
- * @param speed speed of sound, m/s, above 0
+ * @param density density, above 0, kg/m3
+ * @param speed speed of sound, above 0, m/s
  * @param source source of the figures
  */
 public record Medium(String name, double density, double speed, String source) {

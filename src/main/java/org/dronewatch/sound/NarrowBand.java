@@ -44,7 +44,7 @@ public record NarrowBand(double frequency, double width, int octave) {
     }
 
     /**
-     * How much less noise with a flat spectrum this band receives than its octave band, dB:
+     * The level of noise with a flat spectrum in the octave band minus its level in this band, dB:
      * {@code 10 lg(B_octave / B)}, with the widths of the two bands.
      */
     public double gain() {

@@ -16,7 +16,7 @@ public final class Refraction {
      * Angle of refraction t2 by Snell's law, {@code sin t2 / sin t1 = c2 / c1}, with the angle of incidence t1 and the
      * speeds of sound c1 in front of the interface and c2 behind it.
      *
-     * @param incidence 0 to pi/2
+     * @param incidence angle of incidence, 0 to pi/2
      * @param speed speed of sound in front of the interface, above 0, m/s
      * @param speedBehind speed of sound behind it, above 0, m/s
      * @return 0 to pi/2; empty for total internal reflection
@@ -43,7 +43,7 @@ public final class Refraction {
      * the interface and Z2 behind it (Rayleigh's coefficient for two fluids; Kinsler and others, Fundamentals of
      * Acoustics, chapter 6).
      *
-     * @param incidence 0 to pi/2
+     * @param incidence angle of incidence, 0 to pi/2
      * @return 0 to 1; 0 for total internal reflection
      */
     public static double transmitted(double incidence, Medium from, Medium to) {

@@ -11,7 +11,7 @@ import org.dronewatch.setting.SettingsForm;
  * {@code ln(1 + z / z0)}, as in a neutral surface layer.
  *
  * @param speed wind speed at a height of 10 m above the ground, 0 to 60 m/s
- * @param from direction from which it blows, clockwise from north, rad
+ * @param from direction from which it blows, clockwise from north, -4 pi to 4 pi, rad
  * @param roughness the roughness length z0 of the surroundings, 0.0001 to 2 m: 0.0002 for water, 0.03 for grass, 0.25
  *     for bushes, 1 for suburbs
  */
@@ -53,7 +53,7 @@ public record Wind(
     /**
      * The speed of the wind at a height above the ground, m/s; 0 at the ground and below.
      *
-     * @param height m
+     * @param height height above the ground, m
      */
     public double speedAt(double height) {
         return speed * logarithm(height) / logarithm(STATION);
@@ -63,7 +63,7 @@ public record Wind(
      * The mean increase of the wind speed with height, between two heights: the gradient of the linear profile with the
      * same speeds at both heights, 1/s.
      *
-     * @param height above the ground, m
+     * @param height one height above the ground, m
      * @param other the other height above the ground, m
      */
     public double shear(double height, double other) {
@@ -85,7 +85,7 @@ public record Wind(
         return -Math.sin(from);
     }
 
-    /** The northward component of a wind of unit speed. */
+    /** The northward component of a wind of unit speed: negative for wind from the north. */
     public double northward() {
         return -Math.cos(from);
     }

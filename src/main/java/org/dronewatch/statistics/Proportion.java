@@ -62,8 +62,8 @@ public record Proportion(int count, int of) {
     }
 
     /**
-     * The number of standard deviations from its mean within which a normally distributed value lies with a given
-     * probability.
+     * The number of standard deviations on either side of the mean within which a normally distributed value lies with
+     * the probability {@code confidence}, 0 to 1.
      */
     public static double normal(double confidence) {
         return Math.sqrt(2.0) * InverseErfc.value(1.0 - confidence);

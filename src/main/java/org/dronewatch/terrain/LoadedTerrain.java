@@ -14,7 +14,7 @@ import org.dronewatch.setting.input.FileHash;
  * @param error the greatest vertical distance of a post from the triangle below or above it, m
  * @param files the files, with hashes of their bytes as read
  * @param description description of the files, in lines for the report
- * @param warnings about suspicious content, one line each
+ * @param warnings warnings about suspicious content, one line each
  */
 public record LoadedTerrain(
         TriangleMesh mesh,

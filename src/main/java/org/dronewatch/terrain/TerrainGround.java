@@ -135,7 +135,12 @@ public final class TerrainGround {
         return az + second * (mesh.coordinate(triangle, 1, 2) - az) + third * (mesh.coordinate(triangle, 2, 2) - az);
     }
 
-    /** Lists the triangles near a rectangle; some may lie outside it, and some may be listed more than once. */
+    /**
+     * Lists the triangles near a rectangle in plan view, given by its limits to the east and north, m; some may lie
+     * outside it, and some may be listed more than once.
+     *
+     * @param target receives the number of each triangle
+     */
     public void trianglesNear(double fromX, double toX, double fromY, double toY, IntConsumer target) {
         if (toX < west || toY < south || fromX > west + columns * step || fromY > south + rows * step) {
             return;

@@ -41,7 +41,7 @@ public final class TerrainLoader {
     /**
      * Reads a terrain.
      *
-     * @param settings with at least one file
+     * @param settings settings that name at least one file
      * @param origin origin of the world frame; if its height is not known, z is the height that the files state
      * @throws InputException with a one-line message when a file is missing, damaged or in no known format, has no
      *     posts near the origin or too many, or does not match the others

@@ -23,8 +23,8 @@ import org.dronewatch.setting.input.PackagedSite;
  *     they overlap, the first one that has a height there is used
  * @param crs coordinate reference system of the files by its EPSG code, such as EPSG:25832; omit it to use the one that
  *     the files state
- * @param radius distance from the origin to which the terrain extends, 10 m to 100 km; it is cut along the rows and
- *     columns of its grid
+ * @param radius radius of the circle around the origin that the terrain covers, 10 m to 100 km; the terrain is the
+ *     rectangle of rows and columns of the files' grid that contains this circle
  * @param accuracy greatest vertical error that simplifying the terrain mesh may cause, 0 to 1000 m; at 0 every post
  *     is kept
  * @param surface surface that the heights describe: the bare ground (dtm), or the highest surface, including roofs and

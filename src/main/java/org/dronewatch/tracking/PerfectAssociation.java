@@ -15,11 +15,11 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.alarm.FalseAlarmSource;
 
 /**
- * A perfect association of measurements with contacts, which reads the truth: all looks at one drone are one contact.
- * It takes the place of a tracker, which this library does not have, and performs at least as well as any tracker.
- * False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, are one contact, too, as
- * long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1 in the
- * order in which they appear; the numbers carry no information about drones. For use in one run.
+ * A perfect association of measurements with contacts, which reads the truth: all measurements of one drone form one
+ * contact. It takes the place of a tracker, which this library does not have, and performs at least as well as any
+ * tracker. False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, form one contact,
+ * too, as long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1
+ * in the order in which they appear; the numbers carry no information about drones. For use in one run.
  *
  * <p>False contacts of different sensors are matched by time and bearing, as by a tracker ({@link #matcher}); a drone's
  * contact, which all sensors share, matches no other.
@@ -33,7 +33,7 @@ public class PerfectAssociation {
     private final int patience;
     private int last;
 
-    /** An association in which false measurements of different looks are never one contact. */
+    /** An association in which false measurements of different looks never form one contact. */
     public PerfectAssociation() {
         this(1);
     }
@@ -147,7 +147,7 @@ public class PerfectAssociation {
         return Optional.ofNullable(drones.get(contact));
     }
 
-    /** The contacts at which there will be no more looks after the latest ones. */
+    /** The contacts that ended with the latest looks: they receive no more looks. */
     public List<Integer> ended() {
         return List.copyOf(ended);
     }

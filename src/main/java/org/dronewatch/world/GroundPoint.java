@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 /**
  * A point in plan view, without a height: {@code [120, -40]} in a scene file.
  *
- * @param x east, -100 to 100 km, m
- * @param y north, -100 to 100 km, m
+ * @param x east, -100,000 to 100,000 m
+ * @param y north, -100,000 to 100,000 m
  */
 public record GroundPoint(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double x,

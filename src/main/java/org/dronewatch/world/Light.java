@@ -13,7 +13,7 @@ import org.dronewatch.setting.SettingsForm;
  * Visibility, daylight and turbulence; they affect cameras that detect by contrast, and turbulence affects thermal
  * cameras, too.
  *
- * @param visibility visibility, above 0 and at most 1000 km, m
+ * @param visibility visibility, above 0 and at most 1,000,000 m
  * @param contrastAtVisibility fraction of a black object's contrast that remains at a distance equal to
  *     {@code visibility}, 0.01 to 0.1: 0.05 for the meteorological optical range that weather stations report, 0.02
  *     for Koschmieder's visual range

@@ -18,11 +18,11 @@ import org.dronewatch.sound.BandLevels;
  *
  * @param positions positions of the source, m: a single one for a factory, or the points of a line, such as a road,
  *     whose power is uniform along its length
- * @param soundPowerLevel A-weighted sound power level of the whole source, -20 to 200 dB re 1 pW, in the energy model
+ * @param soundPowerLevel A-weighted sound power level of the whole source for the energy model, -20 to 200 dB re 1 pW
  * @param shape spectrum of the sound power: the levels of the octave bands relative to one another, without weighting,
  *     dB
- * @param soundLevel initial level of its rays in the level model, -100 to 200 dB; if omitted, microphones with that
- *     model do not hear the source
+ * @param soundLevel initial level of its rays on the calibrated scale of the level model, -100 to 200 dB; if omitted,
+ *     microphones with that model do not hear the source
  */
 public record NoiseSource(
         List<Position> positions,
@@ -51,13 +51,16 @@ public record NoiseSource(
         }
     }
 
-    /** A source with the default spectrum. */
+    /**
+     * A source with the default spectrum, at one position or along a line, with its A-weighted sound power level, dB re
+     * 1 pW.
+     */
     @Defaults({"positions", "soundPowerLevel"})
     public static NoiseSource along(List<Position> positions, double soundPowerLevel) {
         return new NoiseSource(positions, soundPowerLevel, BackgroundNoise.FALLING, Optional.empty());
     }
 
-    /** A source at one position, with the default spectrum. */
+    /** A source at one position, with the default spectrum and its A-weighted sound power level, dB re 1 pW. */
     public static NoiseSource at(Position position, double soundPowerLevel) {
         return along(List.of(position), soundPowerLevel);
     }
@@ -85,7 +88,7 @@ public record NoiseSource(
      */
     public record Piece(Position position, double fraction) {}
 
-    /** The pieces of the source for a listener, in the order of its positions. */
+    /** The pieces of the source for a listener at a position, m, in the order of the source's positions. */
     public List<Piece> pieces(Position listener) {
         if (positions.size() == 1) {
             return List.of(new Piece(positions.get(0), 1.0));

@@ -34,8 +34,8 @@ public final class Places {
     /**
      * Converts places of a site.
      *
-     * @param world its settings
-     * @param ground supplies the heights of its highest surfaces; called when they are first needed
+     * @param world settings of the site
+     * @param ground supplies the heights of the site's highest surfaces; called when they are first needed
      */
     public Places(WorldSettings world, Supplier<Ground> ground) {
         this.origin = world.origin();

@@ -91,7 +91,7 @@ public final class World {
      *
      * @param tree tree over the mesh, in the world's frame
      * @param backgroundNoise the sound of the site without drones and noise sources
-     * @param surfaces one for each material of the mesh, by the mesh's material numbers
+     * @param surfaces acoustic surfaces, one for each material of the mesh, by the mesh's material numbers
      * @param atmosphere the air
      * @throws IllegalArgumentException when there are more or fewer surfaces than materials
      */

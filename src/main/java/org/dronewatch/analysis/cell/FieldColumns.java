@@ -10,7 +10,8 @@ import org.dronewatch.world.World;
 /**
  * The ground below columns of cells, and which cells are inside something solid. Heights are measured from the ground,
  * not from roofs: from the terrain, or, where there is none, from the lowest surface that faces up, such as a floor. A
- * cell is inside something solid where the nearest surface above it faces up: that surface is seen from behind.
+ * cell is inside something solid where the nearest surface above it faces up: that surface is seen from behind. A cell
+ * is given by the number of its height (its level), counted from the lowest, and by its column and row.
  */
 public final class FieldColumns {
     private static final byte OPEN = 0;

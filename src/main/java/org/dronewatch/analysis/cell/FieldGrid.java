@@ -11,12 +11,12 @@ import org.dronewatch.setting.Quantity;
  * Columns of air over a site, square in plan view, with a cell at each of several heights. The values of a cell hold
  * for the point at its height on the axis of its column.
  *
- * @param east east coordinate of the centre, -100 to 100 km, m
- * @param north north coordinate of the centre, -100 to 100 km, m
- * @param side length of a side, above 0 and at most 100 km, m; rounded to a whole number of cells
- * @param cell length of a cell's side, above 0 and at most 100 km, m; at most 2000 cells along a side
+ * @param east east coordinate of the centre, -100,000 to 100,000 m
+ * @param north north coordinate of the centre, -100,000 to 100,000 m
+ * @param side length of a side, above 0 and at most 100,000 m; rounded to a whole number of cells
+ * @param cell length of a cell's side, above 0 and at most 100,000 m; at most 2000 cells along a side
  * @param heights heights above the ground, in ascending order, each at least 1 mm above the one before it (the first
- *     above the ground) and at most 10 km, m; 1 to 50 heights
+ *     above the ground) and at most 10,000 m; 1 to 50 heights
  * @param area only cells whose centre lies in this area in plan view count; empty if all do
  */
 public record FieldGrid(
@@ -100,7 +100,7 @@ public record FieldGrid(
         return grid;
     }
 
-    /** The smallest square grid that holds all cells whose centre is in an area. */
+    /** The smallest square grid, with cells of a given side, m, that holds all cells whose centre is in an area. */
     public static FieldGrid over(AreaZone area, double cell, List<Double> heights) {
         PlanBounds bounds = PlanBounds.of(area.outline());
         return new FieldGrid(bounds.east(), bounds.north(), bounds.side(), cell, heights, Optional.of(area));

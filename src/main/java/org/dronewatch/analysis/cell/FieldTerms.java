@@ -23,8 +23,8 @@ public record FieldTerms(
         /** Sensors on positioners have turned to the drone, and zoomed in. */
         CUED,
         /**
-         * Sensors on positioners search, or are at rest: their probability of detection is the mean over all moments of
-         * one search period at which the look, or the time within which they have to detect the drone, may begin.
+         * Sensors on positioners search, or are at rest: their probability of detection is a mean over one search
+         * period, in which the look, or the time within which they have to detect the drone, may begin at any moment.
          */
         SEARCH
     }

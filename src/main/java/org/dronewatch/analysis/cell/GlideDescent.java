@@ -9,8 +9,8 @@ import org.dronewatch.geometry.Position;
 /**
  * A steady glide with the motors off.
  *
- * @param speed along the path, above 0, m/s
- * @param ratio horizontal distance per metre of height lost, above 0
+ * @param speed speed along the path, above 0, m/s
+ * @param ratio glide ratio: horizontal distance per metre of height lost, above 0
  * @param since how long the motors have been off, s
  */
 public record GlideDescent(double speed, double ratio, double since) {

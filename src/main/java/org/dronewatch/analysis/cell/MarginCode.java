@@ -25,7 +25,7 @@ public final class MarginCode {
 
     private MarginCode() {}
 
-    /** The code for a margin, dB. */
+    /** The code for a margin, dB; NaN if nothing is known of it, negative infinity if there is no signal. */
     public static int of(double db) {
         if (Double.isNaN(db) || db == Double.NEGATIVE_INFINITY) {
             return Double.isNaN(db) ? NOTHING : NO_SIGNAL;

@@ -7,7 +7,7 @@ package org.dronewatch.analysis.cell;
  * probability of 1/250, but only one in seven if it has 1/4,000.
  */
 public final class ProbabilityStep {
-    /** The step that represents only 1; 0 represents only 0. */
+    /** The step that represents exactly 1; step 0 represents exactly 0. */
     public static final int CERTAIN = 255;
 
     private static final int EVEN = 250;

@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * The heights above the ground at which routes are searched for unless others are given. They reach from close to the
  * ground, where terrain and buildings hide a drone, to its ceiling, where it may fly over the beam of a radar: a search
- * that leaves out either may find no route where there is one that no sensor sees.
+ * that leaves out the lowest or the highest heights may miss a route that no sensor sees.
  */
 public final class RouteHeights {
     /** Close together where obstacles are, m. */
@@ -24,7 +24,7 @@ public final class RouteHeights {
      * The heights up to a drone's ceiling: those of 2, 5, 10, 20, 30, 45, 60, 90, 120, 150, 250, 500, 1000 m and so on
      * that the ceiling exceeds by at least 10 %, and the ceiling itself; a ceiling above 10 km counts as 10 km.
      *
-     * @param ceiling the greatest height above the ground at which the drone can fly, 1 mm or more, m
+     * @param ceiling the greatest height above the ground at which the drone can fly, m, 0.001 or more
      * @return 1 to 17 heights, in ascending order, m
      */
     public static List<Double> upTo(double ceiling) {

@@ -26,7 +26,8 @@ import org.dronewatch.setting.Spelling;
  * margin of the signal. A sensor on a positioner either has turned to the drone or is searching. Everything is assessed
  * once, as in a run; afterwards, any course can be queried without tracing another ray.
  *
- * <p>Probabilities are kept as {@link ProbabilityStep steps}; 0 and 1 are exact. Immutable and thread-safe.
+ * <p>Probabilities are kept as {@link ProbabilityStep steps}; 0 and 1 are exact. Cells are given by the number of the
+ * height in the grid, the column from the west and the row from the north. Immutable and thread-safe.
  */
 public final class DetectionField {
     private final FieldGrid grid;

@@ -13,7 +13,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * What a {@link DetectionField} means for a site: in each cell, on the course that counts there, whether a sensor
- * covers it, how many do, and the dominant cause. Immutable and thread-safe.
+ * covers it, how many do, and the dominant cause. Cells are given as in the field. Immutable and thread-safe.
  *
  * <p>The course that counts is the same for all sensors: the one with the lowest, or the highest, joint probability
  * {@code 1 - (1 - p1)(1 - p2)...} of the sensors' probabilities p1, p2, ...; in a tie, the one whose dominant cause is

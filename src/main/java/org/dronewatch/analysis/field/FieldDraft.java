@@ -123,7 +123,7 @@ public final class FieldDraft {
         return drafts.values().stream().mapToInt(DraftLayer::assessed).sum();
     }
 
-    /** The number of cells that the next {@link #refine} would assess. */
+    /** The approximate number of cells that the next {@link #refine} would assess, added up over the moved sensors. */
     public int next() {
         return drafts.values().stream().mapToInt(DraftLayer::next).sum();
     }
@@ -136,6 +136,8 @@ public final class FieldDraft {
     /**
      * Halves the blocks, and assesses those that border on one with a different result; does nothing once
      * {@link #isFine}.
+     *
+     * @param outdated whether the draft is no longer needed: then it remains unfinished
      */
     public void refine(BooleanSupplier outdated) {
         drafts.values().forEach(draft -> draft.refine(outdated));
@@ -194,7 +196,12 @@ public final class FieldDraft {
         return base.with(base.all().with(courses, probes, layers));
     }
 
-    /** The request for the field of which this is a draft. */
+    /**
+     * The request for the field of which this is a draft.
+     *
+     * @param before the request for the previous field
+     * @param moved the scene with the sensors that were moved or turned
+     */
     public FieldRequest request(FieldRequest before, SceneSettings moved) {
         return new FieldRequest(
                 moved,

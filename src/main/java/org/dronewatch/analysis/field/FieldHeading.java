@@ -45,7 +45,7 @@ public enum FieldHeading {
         return this == BEST ? FieldCoverage.Choice.BEST : FieldCoverage.Choice.WORST;
     }
 
-    /** The heading as options and files name it, such as {@code worst}. */
+    /** The name of this heading in options and files, such as {@code worst}. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -23,12 +23,15 @@ public record Warning(
         return time.isPresent() && time.getAsDouble() >= response;
     }
 
-    /** Whether the flight begins too near to show whether the drone would be detected in time. */
+    /**
+     * Whether the flight begins too near to show whether the drone would be detected early enough for the given
+     * response time, s.
+     */
     public boolean isUndecided(double response) {
         return isFromStart && !isInTime(response);
     }
 
-    /** Whether the drone is certainly not detected in time. */
+    /** Whether the drone is certainly not detected early enough for the given response time, s. */
     public boolean isLate(double response) {
         return !isFromStart && !isInTime(response);
     }

@@ -57,12 +57,12 @@ public record FieldProbe(
     /**
      * What an assessment may leave out.
      *
-     * @param excess what is interpolated between cells; empty where each is assessed
-     * @param isExactAlone whether, of a signal that could be interpolated, only the part counts that arrives along
-     *     deterministic paths, which are found without random rays: this is much faster, and never gives too strong a
+     * @param excess the values that are interpolated between cells; empty if each cell is assessed
+     * @param isExactAlone for a signal that could be interpolated, whether to count only the part that arrives along
+     *     deterministic paths, which are found without random rays: this is much faster, and never overstates the
      *     signal
-     * @param needed the step that the probability has to reach, if nothing else matters: where the result is the same
-     *     on all courses, only whether the step is reached can then be relied on
+     * @param needed the one step of the probability that matters, if only one does: where the result is the same on all
+     *     courses, the result then shows reliably only whether this step is reached
      */
     public record Shortcuts(Optional<ExcessMap> excess, boolean isExactAlone, OptionalInt needed) {
         static final Shortcuts NONE = new Shortcuts(Optional.empty(), false, OptionalInt.empty());
@@ -94,19 +94,23 @@ public record FieldProbe(
         return new FieldProbe(world, drone, sensor, settings, seed, courses, terms, search, assessor, others);
     }
 
-    /** This probe with, or without, what is interpolated between cells. */
+    /** A copy of this probe that interpolates between cells or, if there is no map, assesses each cell. */
     public FieldProbe with(Optional<ExcessMap> map) {
         return with(new Shortcuts(map, false, needed()));
     }
 
-    /** This probe of a signal that could be interpolated, counting only what arrives along deterministic paths. */
+    /**
+     * A copy of this probe, whose signal could be interpolated, that counts only what arrives along deterministic
+     * paths.
+     */
     public FieldProbe onExactPaths() {
         return with(new Shortcuts(Optional.empty(), true, needed()));
     }
 
     /**
-     * This probe if all that matters is whether the probability reaches a step. This makes a difference only for
-     * sensors that trace sound: others take little longer for the full answer, which can be kept for all steps.
+     * A copy of this probe that only decides whether the probability reaches a step; this probe itself for a sensor
+     * that does not trace sound, since such a sensor takes little longer for the full answer, which serves for every
+     * step.
      *
      * @param step the step to be reached, above 0 and at most {@link ProbabilityStep#CERTAIN}
      */
@@ -116,12 +120,12 @@ public record FieldProbe(
                 : with(new Shortcuts(excess(), isExactAlone(), OptionalInt.of(step)));
     }
 
-    /** This probe with other courses, as many as before. */
+    /** A copy of this probe with other courses, as many as before. */
     public FieldProbe on(List<Course> others) {
         return new FieldProbe(world, drone, sensor, settings, seed, others, terms, search, assessor, shortcuts);
     }
 
-    /** What is interpolated between cells; empty where each is assessed. */
+    /** The values that are interpolated between cells; empty if each cell is assessed. */
     public Optional<ExcessMap> excess() {
         return shortcuts.excess();
     }

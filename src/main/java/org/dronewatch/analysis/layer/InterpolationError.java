@@ -18,7 +18,7 @@ import java.util.Optional;
  */
 public record InterpolationError(
         int places, int heldOut, double percentile95, double ofLooks, Bounds inSight, Bounds hidden) {
-    /** A field counts as accurate if its error exceeds this at no more than 5 % of the positions, dB. */
+    /** A field counts as accurate if its error exceeds this value, dB, at no more than 5 % of the positions. */
     public static final double ACCURATE = 0.5;
 
     private static final double LARGE_PART = 0.95;

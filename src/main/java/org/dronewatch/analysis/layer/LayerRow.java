@@ -30,6 +30,12 @@ public final class LayerRow {
     private byte[] pool = new byte[0];
     private int used;
 
+    /**
+     * A row in which nothing has been assessed yet.
+     *
+     * @param columns number of cells in the row
+     * @param assessor assessor of the probe's sensor for this thread; null if the row only takes over known codes
+     */
     public LayerRow(int columns, FieldProbe probe, Assessor assessor) {
         this.probe = probe;
         this.assessor = assessor;
@@ -44,15 +50,18 @@ public final class LayerRow {
         entries[column] = assess(at) ? codes[0] : -1 - keep();
     }
 
-    /** The codes of the drone at a position, m: one if all courses are alike, otherwise one for each. */
+    /**
+     * The {@link CellCode}s of the drone at a position, m: a single one if all courses give the same, otherwise one
+     * each.
+     */
     public int[] codesAt(Position at) {
         return assess(at) ? new int[] {codes[0]} : codes.clone();
     }
 
     /**
-     * The codes of the drone at a position, m, given former codes, of which those for some courses no longer hold.
+     * The codes of the drone at a position, m, at which former codes are known, after some of the courses have changed.
      *
-     * @param former as {@link #codesAt} gives them
+     * @param former the former codes, as {@link #codesAt(Position)} gave them
      * @param changed the numbers of the courses that have changed
      */
     public int[] codesAt(Position at, int[] former, int[] changed) {

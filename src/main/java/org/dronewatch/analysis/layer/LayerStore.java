@@ -97,7 +97,7 @@ public final class LayerStore {
      * What is interpolated between the cells of a field: taken from this store if it is there, otherwise computed on
      * the {@link Workers} of the calling thread; empty if each cell is assessed.
      *
-     * @param plan where the columns are, in words
+     * @param plan description of where the columns are, which is part of the key
      * @param progress receives the number of cells done since the last call; in total, all cells if levels may be
      *     interpolated, otherwise none
      */
@@ -133,9 +133,9 @@ public final class LayerStore {
     /**
      * Assesses one height of a layer, except for what the store has kept of it.
      *
-     * @param plan where the columns are, in words
+     * @param plan description of where the columns are, which is part of the key
      * @param height number of the height in the columns
-     * @param name name of the height: what was kept under another name is not looked up
+     * @param name name of the height, which is part of the key under which its assessments are kept
      */
     public void assess(
             SensorLayer layer,

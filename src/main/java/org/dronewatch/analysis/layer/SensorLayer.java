@@ -44,10 +44,10 @@ public final class SensorLayer {
     }
 
     /**
-     * A layer with one height, on the {@link Workers} of the calling thread.
+     * A layer with one height, assembled on the {@link Workers} of the calling thread.
      *
-     * @param codes by row and column, as {@link LayerRow#codesAt} gives them; null in cells in which the drone cannot
-     *     be
+     * @param codes the codes by row and column, as {@link LayerRow#codesAt} gives them; null in cells in which the
+     *     drone cannot be
      */
     public static SensorLayer of(FieldProbe probe, FieldColumns columns, int[][] codes) {
         SensorLayer layer = new SensorLayer(columns.rows(), 1);
@@ -73,7 +73,11 @@ public final class SensorLayer {
         return alone;
     }
 
-    /** The codes of a cell at the lowest height, as {@link LayerRow#codesAt} gave them. */
+    /**
+     * The codes of a cell at the lowest height, as {@link LayerRow#codesAt} gave them.
+     *
+     * @param courses number of courses
+     */
     public int[] codes(int column, int row, int courses) {
         if (entries[row][column] >= 0) {
             return new int[] {entries[row][column]};

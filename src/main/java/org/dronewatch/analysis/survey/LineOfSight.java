@@ -7,7 +7,7 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.Visibility;
 
 /**
- * Lines of sight between points of a site, with the same {@link Visibility} as that of the sensors. Keeps scratch
+ * Lines of sight between points of a site, judged by the same {@link Visibility} as those of the sensors. Keeps scratch
  * memory: for use by one thread at a time.
  */
 public final class LineOfSight {

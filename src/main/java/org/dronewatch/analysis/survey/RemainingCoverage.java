@@ -32,9 +32,7 @@ public record RemainingCoverage(
         return all.isCovered(height, column, row) && !rest.isCovered(height, column, row);
     }
 
-    /**
-     * How many fewer cells are covered: {@link #gone} less {@link #gained}, which may be below 0.
-     */
+    /** How many fewer cells are covered: {@link #gone} less {@link #gained}; below 0 if more cells are gained. */
     public int lost() {
         return covered - remaining;
     }

@@ -3,7 +3,7 @@ package org.dronewatch.app.console;
 import me.tongfei.progressbar.ProgressBar;
 import org.dronewatch.parallel.LongTask;
 
-/** A progress bar for each step of loading that takes seconds; only with a terminal. */
+/** A progress bar for each step of loading that takes seconds; only on a terminal. */
 public final class LoadingBars implements LongTask.Watcher {
     private ProgressBar bar;
 

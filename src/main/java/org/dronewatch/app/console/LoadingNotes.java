@@ -2,7 +2,7 @@ package org.dronewatch.app.console;
 
 import java.util.function.Consumer;
 
-/** Prints notes while the scenes of a campaign are loaded; later ones concern single cases and are dropped. */
+/** Prints notes while the scenes of a campaign are loaded; notes after that concern single cases and are dropped. */
 public final class LoadingNotes {
     private final Consumer<String> notes;
     private volatile boolean isDone;

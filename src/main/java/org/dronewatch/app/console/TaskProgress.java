@@ -13,7 +13,7 @@ import me.tongfei.progressbar.ProgressBar;
 /**
  * Shows the progress of a command's tasks, and its messages.
  *
- * @param amount how much of this is shown
+ * @param amount how much of the progress and the messages is shown
  * @param err receives the progress and the messages
  */
 public record TaskProgress(Amount amount, PrintWriter err) {

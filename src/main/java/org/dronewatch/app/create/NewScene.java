@@ -21,10 +21,10 @@ import org.dronewatch.world.World;
  * The text of a scene for a real place: its ground and buildings, a sensor of each kind, an intruder and a protected
  * zone, with comments that say what to change.
  *
- * @param name of the scene
- * @param latitude of the origin, degrees
- * @param longitude of the origin, degrees
- * @param radius of the site, m
+ * @param name name of the scene
+ * @param latitude latitude of the origin, degrees
+ * @param longitude longitude of the origin, degrees
+ * @param radius radius of the site, m
  * @param terrain names of the elevation files beside the scene
  * @param terrainCrs coordinate reference system of these files, if they do not state it
  * @param isSurface whether the elevations include roofs and treetops
@@ -54,7 +54,7 @@ public record NewScene(
     private static final double SPEED = 15.0;
     private static final double MAST = 6.0;
 
-    /** The text of a scene with the site alone, which has to be read before sensors can be placed on it. */
+    /** The text of a scene with the site alone. The site has to be read before sensors can be placed on it. */
     public String site() {
         StringBuilder text = new StringBuilder();
         line(

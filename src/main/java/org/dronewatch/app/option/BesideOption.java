@@ -21,7 +21,7 @@ public final class BesideOption {
      * The second scene, without the overrides of the first; empty if none is named.
      *
      * @param first the first scene
-     * @throws InputException with a one-line message when there is no such scene, or no first one
+     * @throws InputException with a one-line message when there is no such scene, or no first scene is named
      */
     public Optional<Scene> scene(OptionalSceneChoice first) {
         if (name != null && !first.isNamed()) {

@@ -82,15 +82,15 @@ public final class FieldOptions {
     }
 
     /**
-     * The cells: of a protected area, or around the sensors.
+     * The cells, which cover a protected area or a square around the sensors.
      *
-     * @param side length of the side around the sensors, m; empty if none was given
+     * @param side side of the area around the sensors, m; empty if none was given
      */
     public FieldGrid grid(SceneSettings settings, OptionalDouble side) {
         return cells.grid(settings, side);
     }
 
-    /** The conditions; none without a file. */
+    /** The conditions; none if no file was given. */
     public List<SceneCondition> conditions() {
         return conditions == null ? List.of() : SceneCondition.read(PathWord.of(CONDITIONS, conditions));
     }
@@ -128,7 +128,15 @@ public final class FieldOptions {
         return ((Optional<?>) value).map(Double.class::cast);
     }
 
-    /** The value of an option, with the unit and the limits of a component of a record. */
+    /**
+     * Parses the value of an option as that of a component of a record, with the component's unit and limits.
+     *
+     * @param option name of the option in messages, without {@code --}
+     * @param text the value as given on the command line
+     * @param type type of the record
+     * @param name name of the component
+     * @throws InputException with a one-line message when the text is not a value within the limits
+     */
     public static Object value(String option, String text, Class<? extends Record> type, String name) {
         RecordComponent part = SettingsForm.of(type).part(name).orElseThrow();
         try {
@@ -150,7 +158,7 @@ public final class FieldOptions {
         }
     }
 
-    /** The heading as files state it. */
+    /** The word for the heading in files: {@code worst}, {@code best} or {@code inbound}. */
     public String heading() {
         return kind().word();
     }

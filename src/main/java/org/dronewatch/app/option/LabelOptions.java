@@ -27,7 +27,7 @@ public final class LabelOptions {
                     + ColourCamera.MOST_SAMPLES + "; " + ColourCamera.SAMPLES + " by default.")
     private Integer samples;
 
-    /** What is to be labelled; empty for nothing. */
+    /** The plan for the labelled pictures; empty if none are requested. */
     public Optional<LabelPlan> plan(SceneRunner runner) {
         if (cameras.isEmpty()) {
             if (samples != null) {

@@ -4,15 +4,16 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import org.dronewatch.setting.InputException;
 
-/** A word of a command line that names a file or directory. */
+/** A command-line argument that names a file or directory. */
 public final class PathWord {
     private PathWord() {}
 
     /**
-     * The path that a word names.
+     * The path that an argument names.
      *
-     * @param option option that the word belongs to, such as {@code --out}, for messages; may be empty
-     * @throws InputException if the word is empty, or not a valid path on this system
+     * @param option option to which the argument belongs, such as {@code --out}, for messages; may be empty
+     * @param word the argument
+     * @throws InputException if the argument is empty, or not a valid path on this system
      */
     public static Path of(String option, String word) {
         if (word.isEmpty()) {

@@ -114,7 +114,7 @@ public final class RouteOptions {
         }
     }
 
-    /** The pointing of sensors on positioners. */
+    /** How sensors on positioners point. */
     public FieldTerms.Turning pointing() {
         return pointing == null
                 ? FieldTerms.Turning.SEARCH
@@ -130,7 +130,7 @@ public final class RouteOptions {
         return Optional.ofNullable(stopped);
     }
 
-    /** The modes in which a drone may fly, in the order of their kinds. */
+    /** The modes in which a drone may fly, in the order of {@link FlightMode.Kind}. */
     public List<FlightMode> modes(DroneSettings drone, Collection<SensorSettings<?>> sensors) {
         List<FlightMode> can = FlightMode.of(drone, sensors);
         List<FlightMode.Kind> asked =
@@ -173,11 +173,12 @@ public final class RouteOptions {
     }
 
     /**
-     * The cells.
+     * The cells over which the search goes.
      *
-     * @param middle of the area, m
+     * @param middle centre of the area, m
      * @param usual length of the area's side unless another was given, m
-     * @param ceiling of the drone, up to which the heights reach unless others were given, m
+     * @param ceiling greatest height of the drone above the ground, m, up to which there are cells unless heights were
+     *     given
      */
     public FieldGrid grid(Position middle, double usual, double ceiling) {
         double across = length("side", side).orElse(usual);
@@ -207,7 +208,7 @@ public final class RouteOptions {
         return Optional.ofNullable(heights).map(GridOptions::heights);
     }
 
-    /** The area from which the routes come, in plan view; empty for the edge. */
+    /** The area from which the routes come, in plan view; empty for the edge of the area searched. */
     public Optional<AreaZone> launchArea(SceneRunner runner, SceneSettings settings) {
         if (launch == null) {
             return Optional.empty();
@@ -220,7 +221,7 @@ public final class RouteOptions {
                         + ": neither a zone of the scene nor an area such as '{centre: [0, 900], radius: 50 m}'")));
     }
 
-    /** The area from which the routes come, as it was given. */
+    /** The area from which the routes come, as it was given; empty if none was. */
     public Optional<String> launch() {
         return Optional.ofNullable(launch);
     }

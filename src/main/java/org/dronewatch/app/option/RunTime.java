@@ -11,8 +11,8 @@ public final class RunTime {
      * Reads a time.
      *
      * @param option name of the option in messages, such as {@code --time}
-     * @param text a number of seconds, or a number with another unit of time
-     * @param duration of the run, s
+     * @param text a number of seconds, or a number with a unit of time
+     * @param duration duration of the run, s
      * @throws InputException when the text is not a time within the run
      */
     public static double parse(String option, String text, double duration) {

@@ -10,11 +10,11 @@ public final class SetOption {
     private SetOption() {}
 
     /**
-     * Values by their paths.
+     * The values, as text, by the paths of the settings.
      *
-     * @param option for messages
-     * @param words each {@code PATH=VALUE}
-     * @throws InputException with a one-line message when a word is not of this form
+     * @param option name of the option in messages, such as {@code --set}
+     * @param words the arguments, each of the form {@code PATH=VALUE}
+     * @throws InputException with a one-line message when an argument is not of this form
      */
     public static Map<String, String> parsed(String option, List<String> words) {
         Map<String, String> values = new LinkedHashMap<>();

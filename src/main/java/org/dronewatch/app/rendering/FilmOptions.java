@@ -47,7 +47,7 @@ public final class FilmOptions {
     /**
      * The times of a run that the film shows.
      *
-     * @param duration of the run, s
+     * @param duration duration of the run, s
      */
     public Film film(double duration) {
         double begin = from == null ? 0.0 : RunTime.parse("--from", from, duration);

@@ -20,7 +20,7 @@ public final class Simulation {
     /**
      * A simulation that has not begun.
      *
-     * @param runner with the overrides and the seed of the run
+     * @param runner runner with the overrides and the seed of the run
      * @param run index of the run in a sweep
      * @param bars whether progress is shown
      */

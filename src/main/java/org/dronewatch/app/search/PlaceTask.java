@@ -24,11 +24,11 @@ import org.dronewatch.run.Stage;
  * The search for a placement: what it needs, whatever the objective.
  *
  * @param plan what is asked for
- * @param stage of its scene
- * @param store of assessments that were made before
- * @param limits of each choice among candidates
+ * @param stage stage of the plan's scene
+ * @param store store of earlier assessments
+ * @param limits limits of each choice among candidates
  * @param budgets maximum number of budgets for which the best layout is sought, including the full one
- * @param interruption by the user, or at the end of the time
+ * @param interruption interruption by the user, or at the end of the time limit
  * @param shown shows the progress
  */
 public record PlaceTask(

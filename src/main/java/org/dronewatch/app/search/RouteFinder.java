@@ -55,9 +55,9 @@ public final class RouteFinder {
     /**
      * Finds the routes.
      *
-     * @param modes in which the drone may fly
-     * @param launch the area from which the routes come; empty for the edge
-     * @param flights number of seeds with which each route is flown; 0 for none
+     * @param modes modes in which the drone may fly
+     * @param launch the area from which the routes come; empty for the edge of the area searched
+     * @param flights number of runs in which each route is flown, each with a different seed; 0 for none
      */
     public RouteResults find(List<FlightMode> modes, Optional<AreaZone> launch, int flights) {
         List<ModeField> fields = fields(modes);

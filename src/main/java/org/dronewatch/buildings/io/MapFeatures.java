@@ -12,8 +12,8 @@ import org.dronewatch.setting.input.FileHash;
  * @param features outlines of buildings, parts of buildings and woods, in the order of the file
  * @param model the buildings of a city model, with their walls and roofs; if present, there are no outlines
  * @param land land cover, if it was requested
- * @param leftOut features that could not be used, and their number, in words
- * @param format format of the file, in words
+ * @param leftOut number of features that could not be used, by what they are
+ * @param format name of the file's format, for reports
  * @param system coordinate system of the file
  * @param hash hash of the file
  */

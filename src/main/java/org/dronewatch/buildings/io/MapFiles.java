@@ -69,7 +69,7 @@ public final class MapFiles {
      * Reads the buildings and woods of a map.
      *
      * @param name name of the file
-     * @param area features outside it may be left out
+     * @param area the area of interest; features outside it may be left out
      * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public MapFeatures read(String name, MapArea area) {
@@ -79,8 +79,8 @@ public final class MapFiles {
     /**
      * Reads a map.
      *
-     * @param name of the file
-     * @param area features outside it may be left out
+     * @param name name of the file
+     * @param area the area of interest; features outside it may be left out
      * @param withLand whether to read the land cover as well; in GeoJSON, areas of land cover are then not taken for
      *     buildings
      * @throws InputException with a one-line message when the file is missing, damaged or in no known format
@@ -140,7 +140,7 @@ public final class MapFiles {
     /**
      * Whether the scene has to state the coordinate system of a map, since neither its format nor the file does.
      *
-     * @param name of the file
+     * @param name name of the file
      * @throws InputException with a one-line message when the file is missing, damaged or in no known format
      */
     public boolean needsCrs(String name) {

@@ -13,10 +13,12 @@ import org.dronewatch.setting.PlainText;
  * which takes precedence over the file.
  *
  * @param rule what the format requires
- * @param stated what the file states about its coordinates: a code, a URN or a URL; not checked yet
- * @param member member of the file that states its system
+ * @param stated what the file states about its coordinates: a code, a URN or a URL, not checked yet; empty if it states
+ *     nothing
+ * @param member name of the member of the file that states its system, for messages
  * @param extent extent of the coordinates in the file
- * @param foreign the first point that cannot be a longitude and latitude, with its location in the file, in words
+ * @param foreign description of the first point that cannot be a longitude and latitude, with its location in the file;
+ *     empty if there is none
  */
 public record MapSystem(Rule rule, Optional<String> stated, String member, MapExtent extent, Optional<String> foreign) {
     private static final Pattern CODE = Pattern.compile(".*EPSG(?:/[^/]*/|:[^:]*:|:)(\\d{4,6})");

@@ -19,8 +19,8 @@ public final class LandRaster {
      *
      * @param half half the length of a side of the square, m
      * @param side number of cells along a side
-     * @param codes of the classes, row by row from the south, each from west to east; the array is not copied: callers
-     *     must not modify it
+     * @param codes codes of the classes, row by row from the south, each from west to east; the array is not copied:
+     *     callers must not modify it
      * @throws IllegalArgumentException when there are more or fewer codes than cells, or a code is unknown
      */
     public LandRaster(double half, int side, byte[] codes) {
@@ -99,7 +99,7 @@ public final class LandRaster {
     }
 
     /**
-     * The raster with these {@link #runs}.
+     * The raster with these {@link #runs}; {@code half} and {@code side} are as for the constructor.
      *
      * @throws IllegalArgumentException when they do not describe a raster of this size
      */

@@ -42,7 +42,7 @@ public final class LandSurvey {
      *
      * @param cover the land cover
      * @param description description of the cover, in lines for the report
-     * @param warnings about what is missing, one line each
+     * @param warnings warnings about what is missing, one line each
      */
     public record Found(LandRaster cover, List<String> description, List<String> warnings) {
         /** Copies the lists: later changes by the caller have no effect. */

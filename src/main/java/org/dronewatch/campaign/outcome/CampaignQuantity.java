@@ -21,7 +21,7 @@ public enum CampaignQuantity {
         this.unit = unit;
     }
 
-    /** The name of the quantity in words. */
+    /** The name of the quantity in reports. */
     public String words() {
         return words;
     }

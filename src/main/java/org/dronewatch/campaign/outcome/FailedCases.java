@@ -18,7 +18,7 @@ public final class FailedCases {
     /**
      * A reason.
      *
-     * @param words the reason in words, as given for one of the cases
+     * @param words the reason, as given for one of the cases
      * @param example number of that case
      * @param cases how many cases failed for this reason
      */

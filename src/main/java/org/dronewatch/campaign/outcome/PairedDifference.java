@@ -28,9 +28,10 @@ public record PairedDifference(int onlyA, int onlyB, int of) {
     }
 
     /**
-     * The probability that, if both variants were equally good, the discordant cases would be divided as unevenly as
-     * they are or more so: McNemar's test in its exact form, two-sided (McNemar, Psychometrika 12, 1947; each
-     * discordant case favours either variant with probability 1/2). It is 1 if there are no discordant cases.
+     * The probability that, if both variants were equally good, the discordant cases, those in which the variants
+     * differ, would be divided at least as unevenly as they are: McNemar's test in its exact form, two-sided (McNemar,
+     * Psychometrika 12, 1947; each discordant case favours either variant with probability 1/2). It is 1 if there are
+     * no discordant cases.
      */
     public double pValue() {
         int discordant = onlyA + onlyB;

@@ -4,14 +4,14 @@ import java.util.Arrays;
 
 /**
  * The area that a level drone certainly covers, and the area that it certainly does not cover, as seen from any
- * direction within a range: a grid of square texels around the drone's origin, in the plane perpendicular to the line
- * of sight. The first texel is at the bottom left. Immutable.
+ * direction within a small range of directions: a grid of square texels around the drone's origin, in the plane
+ * perpendicular to the line of sight. The first texel is at the bottom left. Immutable.
  */
 public final class SilhouetteMask {
     /** The number of texels along a side. */
     public static final int TEXELS = 128;
 
-    /** A texel no point of which is covered. */
+    /** A texel that is not covered at all. */
     public static final byte OUTSIDE = 0;
 
     /**
@@ -26,7 +26,7 @@ public final class SilhouetteMask {
      */
     public static final byte LIKELY = 2;
 
-    /** A texel all of whose points are covered. */
+    /** A texel that is covered in full. */
     public static final byte INSIDE = 3;
 
     private final byte[] kinds;

@@ -6,10 +6,10 @@ import java.util.stream.Stream;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds} that hold for every
- * direction within a few degrees and from every distance of at least {@link #minRange()}. A mask is not made until it
- * would have replaced the rendering of several pictures, or of one large picture: a few small pictures cost less than a
- * mask. Thread-safe.
+ * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds}, each of which holds for
+ * all directions within a few degrees of its own, and from every distance of at least {@link #minRange()}. A mask is
+ * only made once it has been requested several times, or for one large picture, since rendering a few small pictures
+ * costs less than a mask. Thread-safe.
  */
 public final class SilhouetteTable {
     private static final int AZIMUTHS = 120;
@@ -54,9 +54,8 @@ public final class SilhouetteTable {
      * @param azimuth azimuth of the line of sight, from the camera to the drone, relative to the drone's nose,
      *     clockwise, rad
      * @param elevation elevation of the line of sight above the horizon, -pi/2 to pi/2, rad
-     * @param pixels size of the picture whose rendering the mask may replace, pixels
-     * @return null until a mask for this direction would have replaced the rendering of several pictures, or of one
-     *     large picture
+     * @param pixels number of pixels of the picture whose rendering the mask may replace
+     * @return the mask; null until this direction has been requested several times, or once for a large picture
      */
     public SilhouetteMask mask(double azimuth, double elevation, int pixels) {
         int column = Math.floorMod((int) Math.floor(azimuth / AZIMUTH_STEP), AZIMUTHS);

@@ -1,2 +1,2 @@
-/** Silhouettes of a mesh, as bounds that hold for every direction within a few degrees. */
+/** Silhouettes of a mesh, as bounds, each of which holds for all directions within a few degrees of its own. */
 package org.dronewatch.drone.silhouette;

@@ -67,7 +67,7 @@ public final class PlanWriter {
      *
      * @param text content of the file
      * @param items number of items of the mission
-     * @param tolerance limit on the distance of the flight from the straight lines of the mission, m
+     * @param tolerance greatest distance that is allowed between the flight and the straight lines of the mission, m
      */
     public record Written(String text, int items, double tolerance) {}
 

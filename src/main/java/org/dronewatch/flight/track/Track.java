@@ -18,7 +18,7 @@ import org.dronewatch.setting.input.BoundedFile;
  *
  * @param log path of the {@code .gpx} or {@code .csv} file
  * @param heights level from which the heights in the file are measured
- * @param verticalOffset offset that is added to all heights, -10 to 10 km, m
+ * @param verticalOffset offset that is added to all heights, -10,000 to 10,000 m
  * @param track name of the track, for a GPX file that has several
  */
 public record Track(

@@ -22,7 +22,7 @@ import org.dronewatch.setting.input.FileHash;
  *     those without a colour are left out
  * @param files the files, with hashes of their bytes: the model file first, then the files beside it that were read,
  *     such as material libraries
- * @param warnings about suspicious content that is not an error, one line each
+ * @param warnings warnings about suspicious content that is not an error, one line each
  */
 public record LoadedModel(
         String name,

@@ -30,8 +30,9 @@ import org.dronewatch.setting.SettingsForm;
  * @param position position of the model's origin, m; with a {@code crs}, a correction of the model's position
  * @param heading rotation about the vertical, clockwise as seen from above, rad; 0 with a {@code crs}, which determines
  *     the direction of north
- * @param role its role on the site, by which reports classify the obstacles that hide drones; heights in the wind
- *     profile are measured from models whose role is terrain, if there are any; it has no effect on a drone's model
+ * @param role role of the model on the site, by which reports classify the obstacles that hide drones; heights in the
+ *     wind profile are measured from models whose role is terrain, if there are any; it has no effect on a drone's
+ *     model
  */
 public record ModelSettings(
         @FileName(unless = ModelSettings.PACKAGED) String file,
@@ -51,7 +52,7 @@ public record ModelSettings(
      * Checks the limits.
      *
      * @throws IllegalArgumentException if a value is out of range, the code of the coordinate reference system is not
-     *     that of a grid, or both it and a heading are given
+     *     that of a grid, or both a coordinate reference system and a heading other than 0 are given
      */
     public ModelSettings {
         Limits.check(ModelSettings.class, file, upAxis, scale, crs, origin, position, heading, role);

@@ -33,6 +33,7 @@ public final class PolygonCutter {
      * Appends the corners of the triangles: at most n - 2 triangles for a polygon of n corners.
      *
      * @param polygon vertex indices of its corners in turn, 3 or more
+     * @param target receives the three vertex indices of each triangle
      * @return whether the triangles cover the polygon; false for one that crosses itself, which is cut into a fan all
      *     the same
      */

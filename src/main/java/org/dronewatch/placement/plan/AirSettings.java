@@ -18,8 +18,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.input.LinkOut;
 
 /**
- * The airspace that is to be covered, and the terms on which a sensor covers it; these have the meaning of the options
- * of {@code coverage} with the same names.
+ * The airspace that is to be covered, and the terms on which a sensor covers it. The settings mean the same as the
+ * options of {@code coverage} with the same names.
  *
  * @param area a protected zone of the scene; only cells whose centre is in it count
  * @param weights by the name of a protected zone, the weight of each cell whose centre is in that zone, 0 to 1000. All
@@ -52,7 +52,7 @@ public record AirSettings(
         Heading heading,
         Optional<String> conditions,
         Optional<FieldTerms.Turning> pointing) {
-    /** The weight of a cell that is in none of the zones that have one. */
+    /** The weight of a cell that is in none of the zones with weights. */
     public static final double WEIGHT = 1.0;
 
     private static final double MOST_WEIGHT = 1000.0;

@@ -33,8 +33,8 @@ public final class Cues {
     }
 
     /**
-     * By the name of each candidate on a positioner, the names of the candidates of which a layout with this candidate
-     * must have at least one; empty if sensors on positioners search instead.
+     * By the name of each candidate on a positioner, the names of the candidates that can cue it, at least one of which
+     * must be in a layout with this candidate; empty if sensors on positioners search instead.
      */
     public Map<String, Set<String>> needed() {
         return cueing();

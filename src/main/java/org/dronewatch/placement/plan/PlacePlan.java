@@ -90,7 +90,7 @@ public record PlacePlan(
     /**
      * Reads a file.
      *
-     * @param configuration changes what the file of the scene specifies
+     * @param configuration is applied to the runner of the scene, and may override what the file of the scene specifies
      * @param notes receives a line for each file read, and each warning
      * @throws InputException with a line for each error: file, line, column, setting, value and limit
      */

@@ -22,9 +22,9 @@ import org.dronewatch.setting.SettingsForm;
  *     exposed route to that zone
  * @param warning the warning time that is maximised for {@code warning-time}: the {@code worst} over all bearings and
  *     heights, or the {@code mean}; {@code worst} by default
- * @param budget budget for all sensors except those that are kept, 0 to 1e12, in the currency of
- *     the scene's prices
- * @param candidates sensors that may be bought, by name; the names of such sensors in the layout begin with that name
+ * @param budget budget for all sensors except those that are kept, 0 to 1e12, in the currency of the scene's prices
+ * @param candidates sensors that may be bought, by name; in the layout, the name of a bought sensor begins with this
+ *     name
  * @param keep sensors of the scene that are kept, at no cost
  * @param conditions what the layout must meet, besides the budget
  * @param air airspace that is to be covered

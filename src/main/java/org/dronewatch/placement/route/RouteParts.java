@@ -12,9 +12,9 @@ import org.dronewatch.placement.site.PresentLayout;
  * Figures of parts of a layout, and of the scene's own sensors. For each of these figures, routes have to be searched
  * for.
  *
- * @param alone by the name of each sensor, the value of a layout of that sensor alone; empty if it was not computed
- * @param withoutEach by the name of each sensor, the value without that sensor; empty if it was not computed
- * @param purchases the order in which to buy the sensors, after those that are kept; empty if it was not computed
+ * @param alone by name of the sensor, the value of a layout of that sensor alone; empty if not computed
+ * @param withoutEach by name of the sensor, the value of the layout without that sensor; empty if not computed
+ * @param purchases the order in which to buy the sensors, after those that are kept; empty if not computed
  * @param present the scene's own sensors; empty if it has none, or they were not assessed
  * @param remaining if no layout raises the exposure on the weakest route above 0, the weakest routes past all
  *     affordable candidates together, from each direction under each condition, the weakest of all first; otherwise

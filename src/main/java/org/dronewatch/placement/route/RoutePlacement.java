@@ -26,7 +26,7 @@ import org.dronewatch.placement.site.PresentLayout;
  * @param asItIs value in the scene as it is
  * @param byCondition the value under each condition, by its name
  * @param parts figures of parts of the layout, and of the scene's own sensors
- * @param rounds number of layouts whose routes were searched for
+ * @param rounds number of layouts past which routes were searched for
  * @param routes number of routes that were compared
  * @param complete whether the search ran to completion and the computation of the figures of the parts, if any, was not
  *     interrupted

@@ -28,7 +28,7 @@ import org.dronewatch.setting.InputException;
  * between trying layouts against the known routes and looking for weaker routes past these layouts.
  */
 public final class WeakestRouteSearch {
-    /** Greater exposures count as equal to this: it is the exposure to one look whose probability is at its cap. */
+    /** The exposure to one look whose probability is at its cap; greater exposures count as equal to it. */
     public static final double ENOUGH = -Math.log1p(-FieldExposure.HIGHEST);
 
     private final PlacePlan plan;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.dronewatch.placement.SolverLimits;
 
 /**
- * The best layouts for several budgets: each costs more than the one before, and is worth more.
+ * The best layouts for several budgets: each costs more than the one before, and has a better value.
  *
  * @param <L> a layout for some objective
  * @param points the layouts in ascending order of cost, at least one; the last is the one for the whole budget

@@ -18,8 +18,8 @@ public final class BuyingOrder {
     /**
      * An order.
      *
-     * @param price price of a sensor, given by its number
-     * @param value value of some of the sensors, which include those that are kept
+     * @param price price of a sensor, given by its index among the candidates of the plan
+     * @param value value of some of the sensors, given by their indices, which include those that are kept
      * @param otherwise a second value of some of the sensors, which decides a tie; greater is better
      */
     public BuyingOrder(
@@ -32,7 +32,7 @@ public final class BuyingOrder {
     /**
      * An order by values that take long to compute.
      *
-     * @param most an upper bound on a value, which takes less time to compute
+     * @param most an upper bound on the value, which takes less time to compute
      */
     public BuyingOrder(
             ToDoubleFunction<Integer> price,

@@ -24,7 +24,11 @@ public interface CheaperLayouts<L extends PlacedLayout> {
      */
     L bounded(L layout, double bound);
 
-    /** Where a layout is better than the best one for the next lower budget; empty if it is not better anywhere. */
+    /**
+     * Where a layout is better than the best one for the next lower budget; empty if it is not better anywhere.
+     *
+     * @param before the layout for the next lower budget; empty if there is none
+     */
     Optional<SectorGain> gain(Optional<L> before, L after);
 
     /**
@@ -46,6 +50,8 @@ public interface CheaperLayouts<L extends PlacedLayout> {
     /**
      * Calls an action for each of several budgets, in any order, on the {@link Workers} of the calling thread.
      *
+     * @param budgets number of budgets
+     * @param action receives the index of each budget, from 0
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     default void forEach(int budgets, IntConsumer action) {

@@ -51,8 +51,8 @@ public final class PlaceSearch {
      * @param assessed called when the assessment of the candidates ends, possibly because this thread was interrupted;
      *     it should then clear the interrupt status
      * @throws InputException when no layout complies with the conditions
-     * @throws CancellationException when this thread is interrupted before any candidate is assessed, or before there
-     *     is a layout of those assessed that complies with the conditions
+     * @throws CancellationException when this thread is interrupted before any candidate is assessed, or before the
+     *     assessed candidates allow a layout that complies with the conditions
      */
     public SitePlacement found(SolverLimits limits, IntConsumer progress, Runnable assessed) {
         Assessed air = assess(progress);

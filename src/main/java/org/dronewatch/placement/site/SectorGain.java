@@ -18,7 +18,10 @@ public record SectorGain(double bearing, double lowest, double highest, double b
     /** What is covered or detected as rarely as this counts as a gap. */
     private static final double OPEN = 0.8;
 
-    /** Whether the layout leaves hardly any gap where the other one leaves one; for fractions and probabilities. */
+    /**
+     * Whether this layout leaves hardly any gap where the other one leaves one; meaningful for fractions and
+     * probabilities only, not for warning times.
+     */
     public boolean isClosed() {
         return after >= CLOSED && before < OPEN;
     }

@@ -14,8 +14,8 @@ import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
- * The best layout that was found for a plan. Values are fractions of the airspace, that is, of the rows that
- * {@link CoveredCells} counts, weighted by the weights of their cells.
+ * The best layout that was found for a plan. Values are fractions of the airspace, that is, of the rows of
+ * {@link CoveredCells}, each weighted with the weight of its cell.
  *
  * @param plan what was asked for
  * @param grid the cells
@@ -23,7 +23,7 @@ import org.dronewatch.placement.plan.SiteCandidate;
  * @param rows the number of cells times the number of headings
  * @param problem the problem, whose rows have a mean weight of 1; under several conditions, the rows are repeated for
  *     each condition
- * @param result result of the search, in rows
+ * @param result result of the search, whose values are sums of the weights of rows
  * @param zones the protected zones that have a weight, and all other cells; empty if no zone has one
  * @param assessed number of candidates that were assessed, the first ones of the plan
  * @param present the scene's own sensors; empty if it has none, or the search was interrupted before they were assessed

@@ -22,8 +22,8 @@ import org.dronewatch.placement.plan.SiteCandidate;
 import org.dronewatch.placement.plan.WarningMeasure;
 
 /**
- * The layout of a plan that gives the longest warning time, the worst or the mean over straight inbound flights. The
- * warning time of a flight is 0 if the drone is not detected before it arrives.
+ * The layout of a plan with the longest warning time, taken either for the worst of all straight inbound flights or as
+ * the mean over them. The warning time of a flight is 0 if the drone is not detected before it arrives.
  *
  * @param plan what was asked for
  * @param grid the cells; the length of their sides is the step of the flights

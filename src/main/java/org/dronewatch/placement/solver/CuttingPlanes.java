@@ -18,10 +18,10 @@ import org.dronewatch.placement.RowOracle;
 import org.dronewatch.placement.SolverLimits;
 
 /**
- * Finds the greatest sum of values in the weakest row if there are too many rows to list: the best layout for the rows
- * found so far is given to an oracle, and the rows that the oracle returns are added, until it finds no weaker row for
- * the layout (E. Israeli and R. K. Wood, Networks 40, 2002). Fewer rows are never harder to serve, so each round gives
- * a bound. Not thread-safe.
+ * Finds the layout with the greatest sum of values in its weakest row where there are too many rows to list: the best
+ * layout for the rows found so far is given to an oracle, and the rows that the oracle returns are added, until it
+ * finds no weaker row for the layout (E. Israeli and R. K. Wood, Networks 40, 2002). Fewer rows are never harder to
+ * serve, so each round gives a bound. Not thread-safe.
  */
 public final class CuttingPlanes {
     /** The gap to which early rounds are solved: their layouts will change anyway. */
@@ -72,7 +72,10 @@ public final class CuttingPlanes {
         this.known = known;
     }
 
-    /** A search with another budget, which begins with the rows that this search has found, or the oracle knows. */
+    /**
+     * A search with another budget, which begins with the rows that this search has found and those that the oracle
+     * knows.
+     */
     public CuttingPlanes within(double budget) {
         return new CuttingPlanes(candidates, conditions.withBudget(budget), oracle, solver, enough, known);
     }

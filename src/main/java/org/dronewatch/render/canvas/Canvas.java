@@ -49,7 +49,7 @@ public final class Canvas {
         rgb[pixel] = mix(rgb[pixel], colour, share);
     }
 
-    /** A colour between two: the first for the fraction 0, the second for 1. */
+    /** A colour between two: the first for a {@code share} of 0, the second for 1. */
     public static int mix(int below, int above, double share) {
         int weight = (int) (share * 256.0 + 0.5);
         int r = (below >> 16 & 255) * (256 - weight) + (above >> 16 & 255) * weight >> 8;
@@ -59,7 +59,9 @@ public final class Canvas {
     }
 
     /**
-     * The picture, each of its pixels the mean of a square of pixels of this canvas with the given number along a side.
+     * The picture, each of whose pixels is the mean of a square of pixels of this canvas.
+     *
+     * @param samples pixels of this canvas along a side of the square
      */
     public BufferedImage toImage(int samples) {
         BufferedImage image = new BufferedImage(width / samples, height / samples, BufferedImage.TYPE_INT_RGB);
@@ -88,7 +90,10 @@ public final class Canvas {
         return image;
     }
 
-    /** This canvas at a smaller size: colours are means, depths and triangles those of the nearest pixel. */
+    /**
+     * This canvas at a smaller size: colours are means; depths and triangles are those of the pixel with the least
+     * depth.
+     */
     public Canvas shrunk(int columns, int rows) {
         int samples = width / columns;
         Canvas small = new Canvas(columns, rows);

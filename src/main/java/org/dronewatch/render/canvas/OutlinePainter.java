@@ -17,15 +17,22 @@ public final class OutlinePainter {
     /**
      * A painter of one picture.
      *
-     * @param length the greatest length to which frustums are drawn, m; sectors are drawn up to three times as far, and
-     *     neither beyond its range
+     * @param length maximum length to which frustums are drawn, m; sectors are drawn up to three times as far, but no
+     *     field of view beyond its range
      */
     public OutlinePainter(LinePainter lines, double length) {
         this.lines = lines;
         this.length = length;
     }
 
-    /** Draws one sensor's field of view. */
+    /**
+     * Draws one sensor's field of view.
+     *
+     * @param at position of the sensor, m
+     * @param width width of the lines, pixels
+     * @param colour red, green and blue in the lowest 24 bits
+     * @param share opacity of the lines, 0 to 1
+     */
     public void draw(Position at, Outline outline, double width, int colour, double share) {
         if (outline instanceof Outline.Frustum frustum) {
             drawFrustum(at, frustum, width, colour, share);
@@ -36,7 +43,13 @@ public final class OutlinePainter {
         }
     }
 
-    /** Draws the edges of a protected area. */
+    /**
+     * Draws the edges of a protected area.
+     *
+     * @param width width of the lines, pixels
+     * @param colour red, green and blue in the lowest 24 bits
+     * @param share opacity of the lines, 0 to 1
+     */
     public void draw(AreaZone area, double width, int colour, double share) {
         List<GroundPoint> outline = area.outline();
         int stride = Math.max(1, outline.size() / 12);

@@ -26,8 +26,8 @@ public record SiteLines(List<Line> lines, Map<String, Color> legend) {
     /**
      * A line.
      *
-     * @param words label written at its beginning
-     * @param pieces from its beginning to its end, at least one
+     * @param words label written at the beginning of the line
+     * @param pieces pieces of the line from its beginning to its end, at least one
      */
     public record Line(String words, List<Piece> pieces) {
         /** Copies the list. */

@@ -57,7 +57,7 @@ public final class ColourCamera {
     /**
      * A camera in a world.
      *
-     * @param colours of the world's materials on a screen, by name: red, green and blue in the lowest 24 bits
+     * @param colours colours of the world's materials on a screen, by name: red, green and blue in the lowest 24 bits
      * @param droneColours the colours of the drones' materials in the same form, by id of the drone
      * @param samples each pixel is the mean of samples x samples rays, 1 to {@value #MOST_SAMPLES}
      * @throws IllegalArgumentException for another number of samples

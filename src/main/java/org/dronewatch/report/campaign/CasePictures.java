@@ -23,7 +23,8 @@ import org.dronewatch.run.DetectionIntervals;
 import org.dronewatch.run.RunResult;
 
 /**
- * Pictures of individual cases from above, in which the colour of a flight shows which sensors detect the drone there.
+ * Pictures of individual cases from above. The colour of each part of a flight shows which sensors detect the drone
+ * during that part.
  */
 public final class CasePictures {
     private static final int WIDTH = 920;

@@ -31,7 +31,7 @@ public final class CauseMap {
         return legend.at(column, row).fill();
     }
 
-    /** Writes the legend below the title, and the caption. */
+    /** Writes the legend, below the title of the sheet, and sets the caption. */
     public void writeLegend(MapSheet sheet) {
         String above = Numbers.text(numbers.height()) + " m";
         sheet.line("drone '" + inputs.drone() + "' at " + above + " above the ground,");

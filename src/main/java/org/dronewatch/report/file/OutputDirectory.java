@@ -38,6 +38,7 @@ public final class OutputDirectory implements AutoCloseable {
      * Creates the temporary directory, so that a target that cannot be written is detected before the work begins.
      * Anything that a killed run left in it is removed.
      *
+     * @param given the target, which is created if missing
      * @throws InputException when the target is a file or cannot be written, or when another run is writing into it
      */
     public OutputDirectory(Path given) {
@@ -111,7 +112,7 @@ public final class OutputDirectory implements AutoCloseable {
 
     /**
      * The label files that an earlier run left in the target, as paths within it: {@code coco.json}, and the pictures
-     * with names as runs give them; empty without {@code coco.json}.
+     * with names as runs give them; empty if there is no {@code coco.json}.
      */
     public List<String> formerLabels() throws IOException {
         Path pictures = target.resolve(Labels.PICTURES);
@@ -131,8 +132,8 @@ public final class OutputDirectory implements AutoCloseable {
     /**
      * The files of earlier results in the target whose names match a pattern.
      *
-     * @param sign a file that marks the target as holding such results; without it, the list is empty
-     * @param names the pattern of their names
+     * @param sign name of a file that marks the target as holding such results; if it is missing, the list is empty
+     * @param names pattern of the file names
      */
     public List<String> former(String sign, Pattern names) throws IOException {
         if (!Files.isRegularFile(target.resolve(sign))) {

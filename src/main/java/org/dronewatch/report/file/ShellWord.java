@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.regex.Pattern;
 import org.dronewatch.setting.PlainText;
 
-/** A word as it is typed on a command line. */
+/** Quotes arguments as they must be typed on a command line. */
 public final class ShellWord {
     /** The backslash separates the names of a path on Windows; it is an escape character in other shells. */
     private static final boolean IS_WINDOWS = File.separatorChar == '\\';
@@ -15,7 +15,7 @@ public final class ShellWord {
 
     private ShellWord() {}
 
-    /** The word, in quotation marks if it contains characters that have a special meaning in some shells. */
+    /** The argument, in quotation marks if it contains characters that have a special meaning in some shells. */
     public static String of(String word) {
         String plain = PlainText.lines(word);
         if (PLAIN.matcher(plain).matches()) {
@@ -27,8 +27,8 @@ public final class ShellWord {
     }
 
     /**
-     * A path as it is typed in the current directory: relative if it leads to this directory or below it, otherwise as
-     * given.
+     * A path as it must be typed in the current directory, quoted if necessary: relative if it leads to this directory
+     * or below it, otherwise as given.
      */
     public static String of(Path path) {
         Path here = Path.of("").toAbsolutePath().normalize();

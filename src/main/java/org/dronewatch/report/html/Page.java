@@ -27,7 +27,7 @@ public final class Page {
      * Begins a page.
      *
      * @param target receives the bytes of the page, in UTF-8; it is not closed
-     * @param title of the window
+     * @param title title of the window
      * @param heading the first line of the page
      */
     public Page(OutputStream target, String title, String heading) throws IOException {

@@ -41,7 +41,7 @@ public final class Rose {
      *
      * @param label describes the drawing, for readers who cannot see it
      * @param most the value at the rim, above 0
-     * @param unit of the values
+     * @param unit unit of the values
      */
     public Rose(String label, double most, String unit) {
         this.most = most;
@@ -95,7 +95,7 @@ public final class Rose {
     /**
      * Draws a closed line.
      *
-     * @param points in the order of their bearings
+     * @param points points in the order of their bearings
      * @param stroke attributes of the line
      */
     public void line(List<Point> points, String stroke) {

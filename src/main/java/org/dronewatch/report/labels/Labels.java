@@ -28,8 +28,8 @@ import tools.jackson.databind.node.ObjectNode;
 /**
  * Writes each look of some cameras as a picture, and the drones in them as {@code coco.json}, in the COCO
  * object-detection format: one annotation for each drone that at least one pixel shows, with a mask of the pixels that
- * the sensor counts as showing the drone. Looks are written during the run; the numbers of images and annotations
- * follow the order of runs, cameras, looks and drones.
+ * the sensor counts as showing the drone. Looks are written during the run; images and annotations are numbered in the
+ * order of runs, cameras, looks and drones.
  */
 public final class Labels implements AutoCloseable {
     /** Name of the file with all annotations. */

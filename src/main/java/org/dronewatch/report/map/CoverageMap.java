@@ -32,7 +32,7 @@ public final class CoverageMap {
     /**
      * How a cause is shown.
      *
-     * @param name of the cause, in words
+     * @param name name of the cause, in words
      * @param colour the colour of the areas with this cause
      */
     public record CauseStyle(String name, Color colour) {}

@@ -35,9 +35,9 @@ import javax.imageio.stream.ImageOutputStream;
 import org.dronewatch.geo.Origin;
 
 /**
- * Writes square grids as GeoTIFF 1.1 (OGC 19-008r4) with one band, compressed by deflate, of classes with a palette, of
- * numbers, or of counts. TIFF cannot name classes, so their names go into a file beside the image, where GDAL and QGIS
- * find them. Equal grids give the same bytes.
+ * Writes square grids of classes (with a palette), of numbers, or of counts as GeoTIFF 1.1 (OGC 19-008r4), with one
+ * band, compressed by deflate. TIFF cannot name classes, so their names go into a file beside the image, where GDAL and
+ * QGIS find them. Equal grids give the same bytes.
  */
 public final class GeoTiff {
     /** The number that marks cells without a class. */
@@ -70,7 +70,7 @@ public final class GeoTiff {
     /**
      * A writer of grids.
      *
-     * @param origin of the scene
+     * @param origin geographic position of the origin of the scene
      * @param east east coordinate of the grid's centre, m
      * @param north north coordinate of its centre, m
      * @param cell length of a cell's side, m
@@ -87,7 +87,7 @@ public final class GeoTiff {
      * Writes classes, and their names to a second file beside the first.
      *
      * @param cells the class number of each cell, row by row from the north-west; {@link #NO_CLASS} for none
-     * @param classes in the order of their numbers
+     * @param classes the classes in the order of their numbers, from 0
      */
     public void writeClasses(Path file, byte[] cells, List<CellClass> classes) throws IOException {
         byte[][] palette = new byte[3][CLASSES];

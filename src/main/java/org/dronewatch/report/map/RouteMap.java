@@ -25,7 +25,7 @@ public final class RouteMap {
      * @param exposure the exposure on the piece, in words
      * @param mode the mode in which the piece is flown
      * @param points two or more, m
-     * @param colour of the line
+     * @param colour colour of the line
      * @param begin when the drone is at the first point, s since the start of the route
      * @param end when the drone is at the last point, s since the start of the route
      * @param detection probability that the drone has been detected by the end of the piece, 0 to 1
@@ -49,7 +49,7 @@ public final class RouteMap {
      * A map.
      *
      * @param scene name of the scene
-     * @param pieces of all routes, in the order in which they are flown
+     * @param pieces pieces of all routes, in the order in which they are flown
      */
     public RouteMap(String scene, Origin origin, List<Piece> pieces) {
         this.scene = scene;

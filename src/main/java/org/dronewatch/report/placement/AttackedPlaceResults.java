@@ -76,7 +76,7 @@ public record AttackedPlaceResults(PlaceResults found, CampaignPlan plan, Campai
     /**
      * The command that reproduces the figures of the campaign, in a sentence.
      *
-     * @param layout the file of the layout, as a word of a command line
+     * @param layout the file of the layout, as a command-line argument, quoted if necessary
      */
     public String sentence(String layout) {
         return "This command gives the same figures for the attacks, and the deciding cases: dronewatch compare "

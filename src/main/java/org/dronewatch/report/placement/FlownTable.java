@@ -113,7 +113,7 @@ final class FlownTable {
     /**
      * How to fly the routes past the layout again, in a sentence; empty if there are none.
      *
-     * @param scene the file of the layout, as a word of a command line
+     * @param scene the file of the layout, as a command-line argument
      */
     Optional<String> reproduction(String scene) {
         return layout.map(flown -> "This command gives the figures of the layout" + asItIs()

@@ -10,8 +10,8 @@ import org.dronewatch.report.html.Figure;
  * The part of a report that depends on the objective.
  *
  * @param verdict sentences in plain text that follow those common to all objectives; may be empty
- * @param pictures by the names of their files
- * @param sections in their order
+ * @param pictures pictures by the names of their files
+ * @param sections sections in the order in which they are shown
  * @param scope the limitations of these results, in sentences
  */
 public record PlaceChapter(String verdict, Map<String, Figure> pictures, List<Section> sections, List<String> scope) {

@@ -77,8 +77,8 @@ public final class PlaceDirectory implements AutoCloseable {
      * @param provenance origin of the results
      * @param threads number of worker threads
      * @param notes receives a line on what could not be written
-     * @return the file in which the layout is written as a scene, as a word of a command line; empty if no scene is
-     *     written
+     * @return the file in which the layout is written as a scene, as a command-line argument, quoted if necessary;
+     *     empty if no scene is written
      * @throws InputException when writing fails
      */
     public Optional<String> write(PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) {
@@ -123,10 +123,10 @@ public final class PlaceDirectory implements AutoCloseable {
     }
 
     /**
-     * Reports before the search, which may take long, if the layout could not be written as a scene, whatever its
-     * sensors are.
+     * Warns if no layout, whatever its sensors, can be written as a scene. To be called before the search, which may
+     * take long.
      *
-     * @param notes receives the line
+     * @param notes receives the warning, in one line
      */
     public void foresee(Consumer<String> notes) {
         warning.foresee(notes);

@@ -23,7 +23,8 @@ public interface PlaceMeasure {
     }
 
     /**
-     * By what the layout is judged, as the end of a phrase: {@code , judged by its weakest route}; or an empty text.
+     * The criterion by which the layout is judged, as the end of a phrase: {@code , judged by its weakest route}; or an
+     * empty text.
      */
     String purpose();
 
@@ -32,7 +33,7 @@ public interface PlaceMeasure {
         return "";
     }
 
-    /** On which headings the values of a table are based, as a sentence followed by a space; or an empty text. */
+    /** The headings on which the values of a table are based, as a sentence followed by a space; or an empty text. */
     default String headingsOfTable() {
         return "";
     }
@@ -47,7 +48,7 @@ public interface PlaceMeasure {
      */
     String claim(boolean isOne, double value);
 
-    /** What the value is a part of, or how it was found: {@code  of the airspace}; or an empty text. */
+    /** What the value is a fraction of, or how it was found: {@code  of the airspace}; or an empty text. */
     String whole();
 
     /** The heading of a column of values. */
@@ -62,7 +63,7 @@ public interface PlaceMeasure {
     /** The greatest possible value, in the unit of the axis; empty if there is no limit. */
     OptionalDouble most();
 
-    /** What the upper bound states: {@code no layout covers more}. */
+    /** What the upper bound means, as a clause: {@code no layout covers more}. */
     String unbeaten();
 
     /** A sentence that explains the columns 'alone' and 'together'. */

@@ -30,7 +30,7 @@ public interface PlaceResults {
      */
     PlaceResults without(LeftOut part, SolverLimits limits);
 
-    /** Whether everything that was asked for is there: nothing is missing because of an interruption or a limit. */
+    /** Whether nothing that was asked for is missing because of an interruption or a limit. */
     default boolean complete() {
         return front().complete() && !isInterrupted();
     }
@@ -58,7 +58,8 @@ public interface PlaceResults {
      * Sentences that end with the commands that reproduce these figures. They have no full stop, so that a command can
      * be copied up to the end of the line.
      *
-     * @param layout the file in which the layout has been written as a scene, as a word of a command line
+     * @param layout the file in which the layout has been written as a scene, as a command-line argument, quoted if
+     *     necessary
      */
     List<String> reproduction(String layout);
 

@@ -24,8 +24,9 @@ import tools.jackson.databind.node.ObjectNode;
  *     inconsistent, or if the search was interrupted or its time was up before the routes were flown
  * @param present the routes past the scene's own sensors, as flown; empty if the scene has no sensors, or for the
  *     reasons above
- * @param lost the routes past the other sensors, as flown, by the name of a sensor whose loss is worst; none where the
- *     search has found a route past the other sensors on which nothing detects the drone, or for the reasons above
+ * @param lost for each sensor whose loss is worst, by its name, the routes past the other sensors, as flown; no entry
+ *     if the search has found a route past the other sensors on which nothing detects the drone, or for the reasons
+ *     above
  * @param isCut whether routes are missing because of an interruption or the time limit
  * @param isSettled whether the figures hold for all routes along which flights have been computed; if not, the maximum
  *     number of comparisons of layouts has been reached

@@ -53,7 +53,7 @@ public record Provenance(Instant date, List<String> command, InputFiles inputs) 
     /**
      * All entries for results without a run, in readable form, by label.
      *
-     * @param seed of the scene
+     * @param seed seed of the scene
      * @param threads number of worker threads
      */
     public Map<String, String> inWords(long seed, int threads) {

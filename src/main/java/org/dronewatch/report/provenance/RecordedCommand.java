@@ -59,7 +59,7 @@ public record RecordedCommand(List<String> words, JsonNode content) {
         return new RecordedCommand(words, root);
     }
 
-    /** The keys whose values differ in another provenance, of those that may explain different results. */
+    /** Those keys that may explain different results and whose values differ in another provenance. */
     public List<String> differences(RecordedCommand other) {
         return GROUNDS.stream()
                 .filter(key -> !content.path(key).equals(other.content.path(key)))

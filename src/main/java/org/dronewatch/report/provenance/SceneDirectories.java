@@ -18,14 +18,14 @@ import org.dronewatch.setting.InputException;
  *
  * @param scene directory of the command's own scene
  * @param kind kind of the results
- * @param names names of the files that such results have besides the one that marks them
- * @param inputs files of the command that must not be replaced
+ * @param names pattern of the names of files that such results have besides the file that marks them
+ * @param inputs input files of the command, which must not be replaced
  */
 public record SceneDirectories(Path scene, ResultKind kind, Pattern names, CommandInputs inputs) {
     /**
-     * What to do, as the end of a sentence, if a scene cannot be written where it was to be.
+     * What to do if a scene cannot be written to the intended directory, as the end of a sentence.
      *
-     * @param writes makes the text of the scene for a directory, or throws an {@link InputException} if the scene
+     * @param writes creates the text of the scene for a directory, or throws an {@link InputException} if the scene
      *     cannot be written there
      */
     public String advice(Consumer<Path> writes) {

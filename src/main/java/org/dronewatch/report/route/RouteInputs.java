@@ -17,7 +17,7 @@ import org.dronewatch.scenario.SceneSettings;
  *
  * @param scene name of the scene
  * @param drone name of the drone
- * @param settings of the scene
+ * @param settings settings of the scene
  * @param protection protected zones of the scene
  * @param grid the cells of the search
  * @param pointing how sensors on positioners point
@@ -45,7 +45,10 @@ public record RouteInputs(
                 .toList();
     }
 
-    /** Whether sensors on positioners count as cued, so that flights, which have no cues, say nothing about them. */
+    /**
+     * Whether the search counts sensors on positioners as cued. In the flights that check a route, positioners only
+     * search, so these flights do not show what cued sensors would detect.
+     */
     public boolean isCued() {
         return pointing == FieldTerms.Turning.CUED && RouteProof.hasCues(settings);
     }

@@ -30,7 +30,7 @@ public final class RoutePictures {
     /**
      * The plan of the site with the weakest routes.
      *
-     * @param ground as {@link MapSheet#ground} returns it
+     * @param ground the shaded ground, as {@link MapSheet#ground} returns it
      */
     public MapSheet plan(RouteSurvey survey, int[] ground) {
         MapSheet sheet = new MapSheet(inputs.grid());

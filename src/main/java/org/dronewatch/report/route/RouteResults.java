@@ -23,7 +23,7 @@ import org.dronewatch.route.search.TimeToGo;
  * @param between what was found between the centres of the cells, which shows whether the cells of the search are small
  *     enough
  * @param times the shortest times to the end of a route
- * @param proofs by sector, how often flights along the sector's route are detected; empty if no proof was requested
+ * @param proofs how often flights along each sector's route are detected, by sector; empty if no proof was requested
  * @param isComplete whether everything that was requested was completed
  */
 public record RouteResults(

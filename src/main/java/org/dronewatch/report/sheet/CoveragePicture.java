@@ -61,7 +61,7 @@ public final class CoveragePicture {
      * @param title what the plan shows
      * @param world the world, for shading the ground
      * @param drone description of the drone for the legend
-     * @param credits that the data of the site require
+     * @param credits credits that the data of the site require
      */
     public static CoveragePicture of(String title, Coverage coverage, World world, String drone, List<String> credits) {
         CoveragePicture picture = new CoveragePicture(coverage);

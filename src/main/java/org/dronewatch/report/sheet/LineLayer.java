@@ -7,9 +7,9 @@ import java.awt.Color;
  * The style of one of several lines that may coincide, drawn in their order: each line is narrower than the lines below
  * it, so that all of them can be seen and distinguished even in black and white.
  *
- * @param number of the line, from 0 for the lowest
+ * @param number number of the line, from 0 for the lowest
  * @param of number of lines
- * @param colour of the line
+ * @param colour colour of the line
  */
 public record LineLayer(int number, int of, Color colour) {
     /** What separates a line from those below it. */

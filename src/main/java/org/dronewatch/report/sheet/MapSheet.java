@@ -81,7 +81,7 @@ public final class MapSheet {
     /**
      * Draws the cells, the sensors, the scale bar and the north arrow.
      *
-     * @param ground as {@link #ground} returns it
+     * @param ground the shaded ground, as {@link #ground} returns it
      */
     public void drawMap(int[] ground, Cells cells, List<Position> sensors) {
         for (int v = 0; v < MAP; v++) {

@@ -50,7 +50,11 @@ public interface ExposureField {
      */
     double least(Position low, Position high, int mode);
 
-    /** This field with a constant added to the rate, 0 or more, 1/s, as a price of time. */
+    /**
+     * This field with a constant added to its rate, as a price of time.
+     *
+     * @param perSecond the constant, 0 or more, 1/s
+     */
     default ExposureField plus(double perSecond) {
         return new SummedExposure(List.of(this), perSecond);
     }

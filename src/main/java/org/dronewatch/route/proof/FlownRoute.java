@@ -18,9 +18,9 @@ import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed where it is
- * taken. The route begins at several equally likely moments within the period of the slowest scan
- * ({@link RouteStarts}): all figures are means over these moments. Positioners only search, since what they follow
+ * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed at the
+ * drone's position at that moment. The route begins at several equally likely moments within the period of the slowest
+ * scan ({@link RouteStarts}): all figures are means over these moments. Positioners only search, since what they follow
  * depends on chance. Immutable and thread-safe.
  */
 public final class FlownRoute {
@@ -111,7 +111,9 @@ public final class FlownRoute {
                 .orElseThrow();
     }
 
-    /** The probability that each sensor, as if it were the only one, detects the drone, 0 to 1. */
+    /**
+     * By name of the sensor, the probability that this sensor would detect the drone if it were the only one, 0 to 1.
+     */
     public Map<String, Double> bySensor() {
         return bySensor(MissedLooks.Wait.UNSEEN);
     }
@@ -173,9 +175,10 @@ public final class FlownRoute {
     /**
      * Flies the route with many seeds, on the {@link Workers} of the calling thread; the result does not depend on how
      * many workers there are. Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of
-     * {@link RouteStarts} in turn. One in twenty is repeated by a {@link org.dronewatch.run.RunSession}. In a run,
-     * observers also search for the drone while it waits for its route to begin: if observers could see the drone
-     * there, the prediction is higher than {@link #detection}.
+     * {@link RouteStarts} in turn. One in twenty is repeated as a plain run, by a
+     * {@link org.dronewatch.run.RunSession}. In a run, observers also search for the drone while it waits for its route
+     * to begin: if they could see it there, the probability of detection that the {@link RouteProof} predicts is higher
+     * than {@link #detection}.
      *
      * @param runs number of runs, at least 1
      * @param progress receives the number of runs since the last call; from any thread

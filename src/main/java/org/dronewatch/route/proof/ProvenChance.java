@@ -6,7 +6,7 @@ import org.dronewatch.statistics.Proportion;
  * A predicted probability, and the proportion of runs in which the event occurred.
  *
  * @param predicted predicted probability of the event, the mean over all runs, 0 to 1
- * @param error standard error of the prediction, because looks are estimated with random rays; 0 if none are
+ * @param error standard error of the prediction, due to looks that are estimated with random rays; 0 if there are none
  * @param flown proportion of the runs in which the event occurred
  */
 public record ProvenChance(double predicted, double error, Proportion flown) {
@@ -37,8 +37,8 @@ public record ProvenChance(double predicted, double error, Proportion flown) {
 
     /**
      * Whether the exact confidence interval of the runs overlaps that of the prediction, whose error is taken to be
-     * normally distributed. Where less than one case is expected, a single case is less rare than the Wilson interval
-     * implies.
+     * normally distributed. An exact interval is used because, where fewer than one occurrence is expected, a single
+     * one is less unlikely than the Wilson interval implies.
      *
      * @param confidence confidence of each interval, above 0 and below 1
      */

@@ -54,7 +54,7 @@ public final class RepeatedSearch {
     /**
      * Assesses the looks along each route that was found, before the search is repeated.
      *
-     * @param progress receives the number of routes assessed since the last call, in total that of all routes
+     * @param progress receives 1 after each route
      * @throws java.util.concurrent.CancellationException if {@code looks} throws it; the routes so far are kept
      */
     public void assess(IntConsumer progress) {
@@ -65,19 +65,19 @@ public final class RepeatedSearch {
     }
 
     /**
-     * Whether there is a sector from which detections come too late, and for which late detections have not yet
-     * been avoided by another search.
+     * Whether there is a sector on whose route detections come too late, and which {@link #avoidLateDetections} has not
+     * searched yet.
      */
     public boolean isTooLate() {
         return !detectedTooLate().isEmpty();
     }
 
     /**
-     * Searches, for the sectors from which detections come too late, for the routes that are least exposed all the way,
-     * and assesses the looks along them: on these routes, a detection in time may be just as likely, but a detection at
-     * any time, late ones included, is less likely. The exposure found along the looks is added, and this search, too,
-     * is repeated. Each sector is searched in this way by one call only; this method has to be called again after the
-     * search for detections in time has been {@linkplain #repeat repeated}.
+     * Searches again from the sectors on whose routes detections come too late, this time for the routes that are least
+     * exposed all the way, and assesses the looks along these routes: on them, a detection in time may be just as
+     * likely, but a detection at all, in time or too late, is less likely. The exposure found along the looks is added,
+     * and this search, too, is repeated. Each sector is searched in this way by one call only; this method has to be
+     * called again after the search for detections in time has been {@linkplain #repeat repeated}.
      *
      * @param progress receives 1 after each search, of which there are at most {@link #MOST} + 1
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are
@@ -140,7 +140,7 @@ public final class RepeatedSearch {
     }
 
     /**
-     * Repeats the search until it expects what the looks show, or finds the same routes again, but at most
+     * Repeats the search until its expectations agree with the looks, or it finds the same routes again, but at most
      * {@link #MOST} times.
      *
      * @param progress receives 1 after each repetition

@@ -17,17 +17,18 @@ import org.dronewatch.statistics.Proportion;
 /**
  * A route checked by trial flights: how often runs of its scene detect the drone, and how often they should. The
  * prediction is {@code 1 - prod(1 - p)} over all looks that a run takes, where p is the probability of detection in a
- * look, assessed where the look is taken; where chance is drawn once per encounter, the prediction is the mean over all
- * draws. Positioners only search in these runs, since what they follow depends on chance. Where software looks for
- * spots in the images of a thermal camera, successive looks share frames and so are not independent: for such cameras,
- * the prediction is too high.
+ * look, assessed at the drone's position at that moment; for observers, who draw one random number per encounter rather
+ * than per look, the prediction is the mean over all values of that number. Positioners only search in these runs,
+ * since what they follow depends on chance. Where software looks for spots in the images of a thermal camera,
+ * successive looks share frames and so are not independent: for such cameras, the prediction is too high.
  *
  * @param detection the predicted mean probability that a run detects the drone, and the proportion of runs that do
- * @param bySensor the prediction for each sensor, as if it were the only one
+ * @param bySensor by name, the predicted probability that each sensor would detect the drone if it were the only one
  * @param alertInTime as {@code detection}, but for an alert at or before the last moment that leaves enough time for
  *     the scene's response, if flight and response take exactly as long as planned; empty if the scene has no response,
  *     or where the probability cannot be computed ({@link FlownRoute#interruption})
- * @param plain the number of runs, evenly spread, that a {@link org.dronewatch.run.RunSession} repeated as plain runs
+ * @param plain the number of runs, evenly spread, that were repeated as plain runs, by a
+ *     {@link org.dronewatch.run.RunSession}
  * @param cued proportion of runs that detected the drone when the first of these runs were repeated with all cues;
  *     empty if none were repeated
  */
@@ -47,7 +48,7 @@ public record RouteProof(
 
     /**
      * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the result does not depend on how
-     * many workers there are. Run {@code i} has the seed {@link #seed}. One in twenty is repeated by a
+     * many workers there are. Run {@code i} has the seed {@link #seed}. One in twenty is repeated as a plain run, by a
      * {@link org.dronewatch.run.RunSession}, which must give the same first detection and, where alerts are predicted,
      * the same alert.
      *
@@ -74,7 +75,7 @@ public record RouteProof(
     /**
      * How many runs detect the drone with all cues: positioners follow what their own sensors see, and other sensors,
      * or false alarms, cue them. The seeds, and the moments at which the route begins, are those of {@link #of}. Each
-     * run is a plain run, by a {@link org.dronewatch.run.RunSession}. Arguments as for {@link #of}.
+     * run is a plain run, by a {@link org.dronewatch.run.RunSession}. The arguments are those of {@link #of}.
      */
     public static Proportion withCues(SceneSettings scene, ModelCache models, int runs, IntConsumer progress) {
         List<SceneSettings> begun = RouteStarts.of(scene.enabledSensors().values()).stream()

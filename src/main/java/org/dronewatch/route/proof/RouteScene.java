@@ -62,7 +62,7 @@ public final class RouteScene {
      * A scene in which copies of a drone fly several routes at the same time, until the last one arrives. Such a scene
      * is for watching, not for checking the routes, since positioners turn to one drone at a time.
      *
-     * @param drone name of the drone of which a copy flies each route
+     * @param drone name of the drone; a copy of it flies each route
      * @param flights the flights, at least one, by the names of the copies that fly them
      * @throws IllegalArgumentException if there is no such drone
      */

@@ -16,10 +16,10 @@ import org.dronewatch.sensor.SensorSettings;
 /**
  * When a route begins. Nobody knows at which moment of a scan an attacker comes, and a drone covers some distance
  * between two looks. So the route begins at several moments, spread evenly over the longest period of any sensor: the
- * period of its looks or, on a positioner, that of its search. If slow sensors have different periods, the moments are
- * shifted within their parts of the longest period so that they are spread as evenly as possible over each of the
- * periods, even where one period is a multiple of another. There are fewer moments if no sensor has a period of more
- * than half a second.
+ * period of its looks or, on a positioner, that of its search. There is one moment in each of several equal parts of
+ * the longest period. If slow sensors have different periods, the moments are shifted within these parts so that they
+ * are spread as evenly as possible over each of the periods, even where one period is a multiple of another. There are
+ * fewer moments if no sensor has a period of more than half a second.
  */
 public final class RouteStarts {
     /** The maximum number of moments. */
@@ -88,7 +88,7 @@ public final class RouteStarts {
         return most - least + 1.0 / phases.length;
     }
 
-    /** The longest period of a sensor, s; 0 without sensors. */
+    /** The longest period of any sensor, s; 0 without sensors. */
     public static double period(Collection<SensorSettings<?>> sensors) {
         return sensors.stream().mapToDouble(RouteStarts::period).max().orElse(0.0);
     }

@@ -15,10 +15,10 @@ import org.dronewatch.route.search.RouteMode;
 /**
  * The exposure to looks along flown routes, beyond what the search expected there. A search assesses only the centres
  * of cells, and thus prefers routes on which it happens to underestimate the exposure; with this field added to its
- * own, the search finds other routes. In each cube between nodes, the exposure that was not expected is spread over the
- * time that the drone takes from one node to the next: the resulting rate counts at all eight corners, on all headings,
- * and is interpolated between the corners. Where several routes pass, the highest rate counts. Immutable and
- * thread-safe.
+ * own, the search finds other routes. In each cube of the grid, with a node at each corner, the exposure that was not
+ * expected is spread over the time that the drone takes from one node to the next: the resulting rate counts at all
+ * eight corners, on all headings, and is interpolated between the corners. Where several routes pass, the highest rate
+ * counts. Immutable and thread-safe.
  */
 public final class UnforeseenExposure implements ExposureField {
     private static final int CORNERS = 8;

@@ -11,8 +11,8 @@ import java.util.stream.IntStream;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Routes from several sides, each of which may join another one where this lowers its exposure: the smoothing may end
- * in a local minimum from one side, but not from another. Not thread-safe.
+ * Routes from several sides, each of which may join another one where this lowers its exposure, since smoothing may end
+ * in a local minimum for the route from one side, but not for that from another. Not thread-safe.
  */
 public final class JoinedRoutes {
     private final WeakestRoutes search;

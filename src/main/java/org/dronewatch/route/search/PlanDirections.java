@@ -76,7 +76,7 @@ public final class PlanDirections {
         return Math.sqrt(east(direction) * east(direction) + north(direction) * north(direction));
     }
 
-    /** The heading of a direction, clockwise from north, rad, 0 to 2 pi. */
+    /** The heading of a direction, given by its number from 0: clockwise from north, rad, 0 to 2 pi. */
     public double heading(int direction) {
         return headings[direction];
     }

@@ -12,7 +12,8 @@ public interface RouteEnd {
     /**
      * Where a leg first arrives, such as at the edge of a zone.
      *
-     * @return the fraction of the leg, 0 if it begins there; empty if the leg does not arrive before its end
+     * @return the fraction of the leg before the arrival, 0 if the leg begins there; empty if the leg does not arrive
+     *     before its end
      */
     OptionalDouble entry(Position from, Position to);
 }

@@ -50,12 +50,17 @@ public final class RouteExposure {
         return sum;
     }
 
-    /** The time for a straight leg, s; infinite if it cannot be flown. */
+    /**
+     * The time for a straight leg in a mode, given by its number, s; infinite if the leg cannot be flown in this mode.
+     */
     public double time(Position from, Position to, int mode) {
         return modes[mode].time(Math.hypot(to.x() - from.x(), to.y() - from.y()), to.z() - from.z());
     }
 
-    /** The exposure along a straight leg; infinite if it cannot be flown. */
+    /**
+     * The exposure along a straight leg in a mode, given by its number; infinite if the leg cannot be flown in this
+     * mode.
+     */
     public double leg(Position from, Position to, int mode) {
         return leg(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), mode);
     }

@@ -69,7 +69,8 @@ final class RouteFinish {
     }
 
     /**
-     * The least time from a node to where a route arrives: over the nodes or, where no turn needs room, straight.
+     * The least time from a node to where a route arrives: over the nodes or, where the drone can turn on the spot, in
+     * a straight line.
      *
      * @param fastest routes over the nodes
      * @return s; infinite where no route leads there

@@ -27,7 +27,7 @@ public final class RouteGrid {
      * @param columns number of columns, 2 or more
      * @param rows number of rows, 2 or more
      * @param heights heights of the levels above the ground, ascending, m
-     * @param ground height of the ground by row and then column, m
+     * @param ground height of the ground in each column of the first row, then of the second, and so on, m
      * @param blocked the nodes at which a drone cannot be
      * @throws IllegalArgumentException if a value is out of range
      */

@@ -81,7 +81,10 @@ public record RouteMode(String name, double speed, double climb, double sink, do
                 -1.0 / limits.glideRatio());
     }
 
-    /** The motion on a heading, clockwise from north, rad: level or, for a glide, on the best glide. */
+    /**
+     * The motion on a heading, given in rad clockwise from north: in level flight or, for a glide, at the best glide
+     * ratio.
+     */
     public LegMotion motion(double heading) {
         double slope = isGlide() ? steepest : 0.0;
         double level = speed / Math.sqrt(1.0 + slope * slope);

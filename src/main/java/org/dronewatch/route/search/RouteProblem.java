@@ -8,7 +8,7 @@ import org.dronewatch.route.exposure.ExposureField;
  * The input of a route search.
  *
  * @param grid the nodes between which routes lead
- * @param field how exposed the drone is
+ * @param field exposure field of the drone
  * @param modes modes in which the drone may fly, first those under power, then any glide; at any node, the drone may
  *     change between modes under power, or from one of these to a glide, but not back
  * @param turnRadius the smallest radius of a turn, 0 for no limit, m

@@ -8,8 +8,8 @@ import org.dronewatch.parallel.Workers;
 
 /**
  * The least exposed routes from all nodes to the goals at once: Dijkstra's algorithm, backwards from the goals. A state
- * is a node with the mode and, where turns need room, the heading of the leg that leaves it. For a single use; not
- * thread-safe.
+ * is a node with the mode and, if the drone cannot turn on the spot, the heading of the leg that leaves the node. For a
+ * single use; not thread-safe.
  */
 public final class RouteSearch {
     private static final int NONE = -1;

@@ -27,7 +27,7 @@ public final class TimeToGo {
         return finite(least[node]);
     }
 
-    /** The least time from any height above a point in plan view, s; empty where no route leads to the end. */
+    /** The least time from any level in a column and row of the grid, s; empty where no route leads to the end. */
     public OptionalDouble at(int column, int row) {
         double soonest = Double.POSITIVE_INFINITY;
         for (int level = 0; level < grid.levels(); level++) {

@@ -11,7 +11,7 @@ package org.dronewatch.route.search;
  * @param seconds how long the route takes, s
  */
 public record WeakestRoute(RoutePath path, double exposure, double lower, double seconds) {
-    /** The probability that a drone on this route is detected at least once where it counts, 0 to 1. */
+    /** The probability that a drone on this route is detected at least once where a detection counts, 0 to 1. */
     public double detection() {
         return -Math.expm1(-exposure);
     }

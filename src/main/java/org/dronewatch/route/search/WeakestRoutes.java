@@ -70,8 +70,8 @@ public final class WeakestRoutes {
     /**
      * Searches for routes to the goals; of several equally exposed routes, for the fastest.
      *
-     * @param reached the nodes of all cubes of the grid in which a route may end, for the lower bound; the goals
-     *     themselves if routes end at nodes
+     * @param reached used for the lower bound: the corner nodes of every cube of the grid in which a route may end; if
+     *     routes end at nodes, the goals themselves
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached) {
@@ -89,7 +89,12 @@ public final class WeakestRoutes {
         return of(problem, reached, price, RouteEnd.AT_NODE);
     }
 
-    /** Searches for routes to the goals; time has a price, and a route may arrive between nodes. */
+    /**
+     * Searches for routes to the goals as {@link #of(RouteProblem, BitSet, double)}, but a route may arrive between
+     * nodes.
+     *
+     * @param arrival where on a leg a route arrives
+     */
     public static WeakestRoutes of(RouteProblem problem, BitSet reached, double price, RouteEnd arrival) {
         RouteProblem priced = priced(problem, price);
         return new WeakestRoutes(
@@ -106,7 +111,8 @@ public final class WeakestRoutes {
      * less than the response time away even at full speed. From there on, the drone takes the fastest route, whatever
      * the exposure, since a detection would come too late.
      *
-     * @param reached the nodes of all cubes of the grid in which a route may end, for the lower bound
+     * @param reached used for the lower bound: the corner nodes of every cube of the grid in which a route may end; if
+     *     routes end at nodes, the goals themselves
      * @param response the response time, above 0, s
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */
@@ -115,7 +121,7 @@ public final class WeakestRoutes {
     }
 
     /**
-     * Searches for routes that are least exposed for as long as a detection is in time; time has a price.
+     * Searches for routes as {@link #inTime(RouteProblem, BitSet, double)}, but time has a price.
      *
      * @param price what each second adds to the exposure in the search, but not to the exposure of the result, 0 or
      *     more, 1/s; less than 1e-10 counts as 1e-10
@@ -125,8 +131,10 @@ public final class WeakestRoutes {
     }
 
     /**
-     * Searches for routes that are least exposed for as long as a detection is in time; time has a price, and a route
-     * may arrive between nodes.
+     * Searches for routes as {@link #inTime(RouteProblem, BitSet, double, double)}, but a route may arrive between
+     * nodes.
+     *
+     * @param arrival where on a leg a route arrives
      */
     public static WeakestRoutes inTime(
             RouteProblem problem, BitSet reached, double response, double price, RouteEnd arrival) {
@@ -232,7 +240,7 @@ public final class WeakestRoutes {
     }
 
     /**
-     * A route that another search has found to the same goals, with its exposure in this search.
+     * A route to the same goals that another search has found, with its exposure in this search.
      *
      * @param lower a lower bound on the exposure along all routes from the same starts
      */
@@ -263,7 +271,10 @@ public final class WeakestRoutes {
         return new CorridorBound(problem, starts, ends, fastest * seconds).exposure();
     }
 
-    /** The least times to the goals: along the nodes or, if turns need no room, in a straight line. */
+    /**
+     * The least times to the goals: over the nodes or, if that is faster and the drone can turn on the spot, in a
+     * straight line.
+     */
     public TimeToGo timeToGo() {
         RouteTree fastest = onwards.orElseGet(() -> RouteSearch.toGoals(problem.withField(new Clock())));
         double[] least = new double[problem.grid().size()];

@@ -6,13 +6,13 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.world.Ground;
 
 /**
- * Warns of a flight that exceeds the performance stated for its drone: a line for each limit, with the place where the
- * flight exceeds it most.
+ * Warns of a flight that exceeds the performance stated for its drone: a line for each limit, with the point at which
+ * the flight exceeds it most.
  *
  * @param id name of the drone
  * @param limits performance limits of the drone
  * @param ground the highest surfaces of the world
- * @param duration of the run, s
+ * @param duration duration of the run, s
  */
 public record FlightAdvice(String id, FlightLimits limits, Ground ground, double duration) {
     /** The greatest interval between the times at which a flight is examined, s. */

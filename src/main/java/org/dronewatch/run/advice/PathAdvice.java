@@ -13,9 +13,9 @@ import org.dronewatch.world.World;
  * sensor: one line for each drone.
  *
  * @param id name of the drone
- * @param world with its ground and its buildings
+ * @param world the world, with its ground and its buildings
  * @param ground the highest surfaces of the world
- * @param duration of the run, s
+ * @param duration duration of the run, s
  */
 public record PathAdvice(String id, World world, Ground ground, double duration) {
     /** The greatest interval between the times at which a flight is examined, s. */

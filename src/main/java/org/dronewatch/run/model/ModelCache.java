@@ -303,10 +303,11 @@ public final class ModelCache {
     }
 
     /**
-     * Reserves, for one of the runs that share a site, the check for vertical offsets between the site's models and the
-     * ground.
+     * Claims, for the calling run, the check for vertical offsets between a site's models and the ground, so that only
+     * one of the runs that share the site performs the check.
      *
-     * @return whether no run has reserved it before
+     * @param site the tree over the site
+     * @return whether no run has claimed the check before
      */
     public synchronized boolean claimExamination(KDTree site) {
         return examined.add(site);

@@ -6,7 +6,7 @@ import org.dronewatch.terrain.LoadedTerrain;
 /**
  * A terrain that was read, and the area in which its ground is known.
  *
- * @param terrain as read
- * @param ground where the ground is known, by its triangles
+ * @param terrain the terrain as read
+ * @param ground the area in which the ground is known, by its triangles
  */
 public record PreparedTerrain(LoadedTerrain terrain, KnownGround ground) {}

@@ -40,7 +40,7 @@ public final class SiteStore {
     /** The largest number of bytes of all files; the least recently used ones are deleted. */
     static final long MOST_BYTES = 2L << 30;
 
-    /** What takes less time than this to prepare is not kept, s. */
+    /** The minimum time that the preparation of a value must have taken for it to be kept, s. */
     static final double WORTH = 0.3;
 
     /** Shared by all stores of this process: models, fields and others are kept in one directory. */
@@ -65,9 +65,9 @@ public final class SiteStore {
     /**
      * A store.
      *
-     * @param directory created when it is first needed; empty to keep nothing
+     * @param directory directory of the store, created when it is first needed; empty to keep nothing
      * @param mostBytes maximum total size of all files, bytes
-     * @param worth what takes less time than this to prepare is not kept, s
+     * @param worth minimum time that the preparation of a value must have taken for it to be kept, s
      * @param notes receives at most one line, when a file cannot be written
      */
     public SiteStore(Optional<Path> directory, long mostBytes, double worth, Consumer<String> notes) {
@@ -91,7 +91,7 @@ public final class SiteStore {
     /**
      * A store of standard size.
      *
-     * @param worth what takes less time than this to prepare is not kept, s
+     * @param worth minimum time that the preparation of a value must have taken for it to be kept, s
      * @param notes receives a line when a file cannot be written, unless a store of this process has reported that
      *     before
      */

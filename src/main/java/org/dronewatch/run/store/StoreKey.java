@@ -24,8 +24,8 @@ public record StoreKey(String kind, String sha256) {
     /**
      * The key of something made from files.
      *
-     * @param files as read
-     * @param parts everything else that it depends on, hashed as text
+     * @param files the files as they were when they were read
+     * @param parts everything else that the thing depends on, hashed as text
      */
     public static StoreKey of(String kind, List<FileHash> files, Object... parts) {
         MessageDigest digest = newDigest(kind);

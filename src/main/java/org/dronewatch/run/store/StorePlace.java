@@ -11,7 +11,7 @@ import java.util.Properties;
 /**
  * Where prepared sites are kept.
  *
- * @param directory created when it is first needed; empty to keep nothing
+ * @param directory directory of the store, created when it is first needed; empty to keep nothing
  */
 public record StorePlace(Optional<Path> directory) {
     /** Nothing is kept. */

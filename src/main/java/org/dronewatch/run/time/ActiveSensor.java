@@ -56,7 +56,7 @@ public final class ActiveSensor {
     /**
      * Begins the next look.
      *
-     * @param pointing of its positioner at that time; empty for a sensor on a fixed mount
+     * @param pointing pointing of the sensor's positioner at the time of the look; empty for a sensor on a fixed mount
      */
     public Look nextLook(long seed, double time, Optional<Pointing> pointing) {
         return Look.of(seed, id, nextIndex++, time).withPointing(pointing).withEncounters(encounters);

@@ -13,8 +13,8 @@ import org.dronewatch.setting.SettingsForm;
  * Warns about angles that were probably written in degrees, but without a unit, and are therefore taken as radians: a
  * whole number of radians is hardly ever meant.
  *
- * @param path of the settings in the scene
- * @param settings of a sensor or a drone
+ * @param path path of the settings in the scene
+ * @param settings settings of a sensor or a drone
  */
 public record AngleAdvice(String path, Record settings) {
     /** Gives one line for each such angle, wherever it is in the settings. */

@@ -9,7 +9,7 @@ import org.dronewatch.world.ClearSky;
 import org.dronewatch.world.Light;
 
 /**
- * Warns about a site's light if it is implausible: an illuminance that no weather causes at the sun's elevation.
+ * Warns about a site's light if its illuminance is one that no weather causes at the sun's elevation.
  *
  * @param light light of the site
  */

@@ -8,7 +8,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * Warns about a latitude or longitude that was probably written without a unit, and is therefore taken as radians.
  *
- * @param origin of the scene
+ * @param origin geographic position of the scene's origin
  */
 public record OriginAdvice(Origin origin) {
     /** Gives one line for each coordinate that was probably written without a unit. */

@@ -17,7 +17,11 @@ public record AzimuthSpan(double centre, double width) {
         }
     }
 
-    /** The azimuth at a fraction of the width from its counter-clockwise end, 0 to 1, rad. */
+    /**
+     * The azimuth at a fraction of the width, rad.
+     *
+     * @param fraction 0 at the counter-clockwise end of the span to 1 at its clockwise end
+     */
     public double at(double fraction) {
         return centre + (fraction - 0.5) * width;
     }

@@ -4,8 +4,8 @@ package org.dronewatch.sensor.alarm;
  * The rate of a sensor's false alarms. They begin independently of each other, with the same probability in every look
  * and in every cell: their number in a look is Poisson-distributed.
  *
- * @param perLook expected number of false alarms that begin in one look, 0 or more; at most {@link #MOST_PER_LOOK},
- *     including lasting ones, may be reported in each look
+ * @param perLook expected number of false alarms that begin in one look, 0 or more; multiplied by {@code looks}, at
+ *     most {@link #MOST_PER_LOOK}
  * @param cells number of cells of its field of view that the sensor, or its tracker, distinguishes, 1 or more: only
  *     false alarms in the same cell confirm each other
  * @param looks number of consecutive looks for which a false alarm lasts, 1 or more: 1 for noise, more for a bird or an
@@ -13,7 +13,7 @@ package org.dronewatch.sensor.alarm;
  * @param rate looks per second, above 0, Hz
  */
 public record FalseAlarmRate(double perLook, long cells, int looks, double rate) {
-    /** The maximum number of false alarms in a look that can be distinguished and simulated. */
+    /** The maximum expected number of false alarms that a look reports, including those that began earlier. */
     public static final double MOST_PER_LOOK = 1000.0;
 
     private static final double HOUR = 3600.0;

@@ -18,8 +18,8 @@ import org.dronewatch.world.World;
 /**
  * The false alarms of one sensor during a run. Those that begin in a look are drawn from a stream that depends only on
  * the seed, the sensor's name and the index of the look, so that they neither depend on drones and other sensors nor
- * affect their random numbers. One that lasts keeps its cell in the field of view. Looks must be given in order. For
- * use by one thread at a time.
+ * affect their random numbers. A false alarm that lasts for several looks keeps its cell in the field of view. Looks
+ * must be given in order. For use by one thread at a time.
  */
 public final class FalseAlarmSource {
     /** The purpose of the random numbers that are drawn for false alarms. */

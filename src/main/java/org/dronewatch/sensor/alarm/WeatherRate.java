@@ -14,7 +14,7 @@ import org.dronewatch.world.Weather;
  * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
  * @param rain minimum rain rate at which it applies, 0 to 500 mm/h
  * @param wind minimum wind speed, at a height of 10 m, at which it applies, 0 to 60 m/s
- * @param visibility maximum visibility at which it applies, above 0 and at most 1000 km
+ * @param visibility maximum visibility at which it applies, above 0 and at most 1,000,000 m
  * @param illuminance maximum illuminance of the ground at which it applies, 1e-5 to 200,000 lx
  */
 public record WeatherRate(

@@ -28,16 +28,16 @@ import org.dronewatch.world.World;
  *
  * @param position its centre of projection, m
  * @param aim aim of its axis
- * @param roll rotation about its axis, right side down; at 0 the horizon is level, rad
+ * @param roll rotation about its axis, right side down, from a level horizon, -4 pi to 4 pi, rad
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
- * @param fov field of view, 0.01 to 179 degrees, rad
+ * @param fov field of view, 0.01 to 179 degrees expressed in rad
  * @param fovAxis the axis of the image along which the field of view is measured
  * @param projection position of its axis in the image, and its near and far planes
- * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m; it determines the blur due to
- *     diffraction; omit it for a lens without diffraction
- * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur due to the lens and the
- *     air, m
+ * @param aperture diameter of the entrance pupil of its lens, which determines the blur due to diffraction, 1e-4 to
+ *     10 m; omit it for a lens without diffraction
+ * @param wavelength wavelength at which it operates, which determines the blur due to the lens and the air, 1e-7 to
+ *     3e-5 m
  * @param rate frames per second, above 0, Hz
  * @param detection detection function: how a detection is decided
  * @param positioner the positioner that turns it; omit it for a fixed mount

@@ -23,14 +23,15 @@ import org.dronewatch.world.Light;
  *
  * <p>The number of line pairs resolved is half the square root of the number of the drone's pixels, and lower if the
  * drone's contrast is weak or if it crosses the image fast: {@code N = sqrt(pixels) / 2 * u * (1 + b^2)^(-1/4)}. The
- * finest detail that is resolved, as a fraction u of the finest that pixels can show, is reached where the contrast
- * after lens and air, {@code C M(u)}, falls to the contrast that the camera requires, {@code Ct / (1 - u)}
- * ({@link org.dronewatch.sensor.optics.ImageTransfer#resolved}); without blur, {@code u = 1 - Ct / C}. C is the drone's
- * contrast, reduced by air and rain (Koschmieder against the sky, Duntley against the ground), and M is the modulation
- * transfer of lens and air. Ct is the least contrast that the camera can detect; in poor light, where photons are few,
- * it grows as the square root of the ratio of {@code shotNoiseIlluminance} to the actual illuminance. b is the motion
- * blur in pixels, along one of the two dimensions of the image. The dependence on contrast is a straight line instead
- * of a camera's measured curve of minimum resolvable contrast.
+ * highest spatial frequency that is resolved, as a fraction u of the Nyquist frequency of the pixels, is the one at
+ * which the contrast after lens and air, {@code C M(u)}, falls to the contrast that the camera requires,
+ * {@code Ct / (1 - u)} ({@link org.dronewatch.sensor.optics.ImageTransfer#resolved}); without blur,
+ * {@code u = 1 - Ct / C}. C is the drone's contrast, reduced by air and rain (Koschmieder against the sky, Duntley
+ * against the ground), and M is the modulation transfer of lens and air. Ct is the least contrast that the camera can
+ * detect; in poor light, where photons are few, it grows as the square root of the ratio of
+ * {@code shotNoiseIlluminance} to the actual illuminance. b is the motion blur in pixels, along one of the two
+ * dimensions of the image. The dependence on contrast is a straight line instead of a camera's measured curve of
+ * minimum resolvable contrast.
  *
  * @param task the task that the image must support
  * @param probability probability at and above which the task counts as accomplished, above 0 and below 1; not used with
@@ -93,7 +94,7 @@ public record TargetTask(
         return SettingsForm.with(this, "probability", least);
     }
 
-    /** These settings, probabilistic or not. */
+    /** These settings with {@code byChance} set or not. */
     public TargetTask withChance(boolean drawn) {
         return SettingsForm.with(this, "byChance", drawn);
     }
@@ -113,7 +114,7 @@ public record TargetTask(
         return SettingsForm.with(this, "exposure", seconds);
     }
 
-    /** The line pairs resolved across a drone. */
+    /** The number N of line pairs resolved across a drone. */
     public double resolved(DroneView view) {
         if (view.sunAngle() < sunExclusionAngle) {
             return 0.0;

@@ -38,7 +38,7 @@ public final class AreaBounds {
      *
      * @param at position of its origin, m
      * @param radius greatest distance of its mesh from its origin, m
-     * @return {@link Double#MAX_VALUE} close to the camera, and far from its axis
+     * @return the bound; {@link Double#MAX_VALUE} where none is known: close to the camera, and far from its axis
      */
     public double most(Position at, double radius) {
         Bundle bundle = new Bundle(camera.position(), at, radius);

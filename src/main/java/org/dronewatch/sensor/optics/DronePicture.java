@@ -54,8 +54,8 @@ public final class DronePicture {
     }
 
     /**
-     * The pictures of a camera in the same pose as in other runs: if the worlds of several runs share a cache, the
-     * site in its image is traced only once.
+     * The pictures of a camera whose pose is the same in several runs: if the worlds of these runs share a cache, the
+     * image of the site is traced only once.
      */
     public static DronePicture atRest(CameraObject camera) {
         return new DronePicture(camera, new SiteImages(camera, true), true);

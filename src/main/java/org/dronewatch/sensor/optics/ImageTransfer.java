@@ -1,7 +1,7 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * The modulation transfer of a lens and of the air, and the finest detail that a camera resolves with it.
+ * The modulation transfer of a lens and of the air, and the finest detail that a camera resolves with them.
  *
  * @param lens lens of the camera
  * @param air turbulence of the air between the lens and the target
@@ -26,7 +26,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
-     * The modulation transfer for a pattern: the product of both transfer functions.
+     * The modulation transfer for a pattern: the product of the transfer functions of the lens and the air.
      *
      * @param frequency frequency of the pattern, 0 or more, cycles per radian
      * @return 0 to 1
@@ -47,10 +47,10 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
-     * The finest detail that a camera resolves, as a fraction u of the finest that its pixels can show, which is a line
-     * pair across two of them. Without blur, a pattern at the fraction u requires the contrast
-     * {@code needed / (1 - u)}: a straight line in place of the measured curve of minimum resolvable contrast. Detail
-     * is resolved up to the frequency at which the remaining contrast, {@code seen * transfer}, falls to the required
+     * The highest spatial frequency that a camera resolves, as a fraction u of the Nyquist frequency of its pixels, one
+     * line pair for two pixels. Without blur, a pattern at the fraction u requires the contrast
+     * {@code needed / (1 - u)}: a straight line in place of the measured curve of minimum resolvable contrast. Patterns
+     * are resolved up to the frequency at which the remaining contrast, {@code seen * transfer}, falls to the required
      * contrast, as when Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for
      * thermal imaging systems", Optical Engineering 15, 525, 1976). Without blur, u is {@code 1 - needed / seen}.
      *

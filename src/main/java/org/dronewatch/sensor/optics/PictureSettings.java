@@ -18,8 +18,8 @@ public interface PictureSettings extends Aimed, Imaging {
     Aim aim();
 
     /**
-     * The camera's rotation about its axis, right side down, so that the image rotates counter-clockwise, rad. At 0 the
-     * horizon is level.
+     * The camera's rotation about its axis, right side down, so that the image rotates counter-clockwise, rad; 0 for a
+     * level horizon.
      */
     default double roll() {
         return 0.0;
@@ -41,7 +41,7 @@ public interface PictureSettings extends Aimed, Imaging {
         return (long) width() * height();
     }
 
-    /** Field of view, 0.01 to 179 degrees, rad. */
+    /** Field of view along {@link #fovAxis}, rad (0.01 to 179 degrees). */
     double fov();
 
     /** The axis of the image along which the field of view is measured. */

@@ -15,8 +15,9 @@ import org.dronewatch.setting.Quantity;
  * @param shiftRight shift of the image to the right, so that the image shows more of that side, as a fraction of its
  *     width, -5 to 5; the field of view is that of the image without a shift
  * @param shiftUp shift upwards, as a fraction of its height, -5 to 5
- * @param near near plane: nothing closer than this along the axis is seen, 0 to less than far, m
- * @param far far plane: nothing farther than this along the axis is seen; the default of 1000 km means no limit, m
+ * @param near distance of the near plane along the axis, within which nothing is seen, 0 or more and less than far, m
+ * @param far distance of the far plane along the axis, beyond which nothing is seen, above near and at most
+ *     1,000,000 m, the default, which means no limit
  */
 public record Projection(
         @Minor @In(value = Quantity.RATIO, from = -5, to = 5) double shiftRight,

@@ -9,14 +9,15 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The beam of an antenna, in transmission and in reception: {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the
- * angles a in azimuth and e in elevation from its centre, with the half-power beamwidths A and E (3GPP TR 38.901, table
- * 7.3-1). The angles are measured in the frame of the beam, as for the antenna of a radio receiver, so the shape of the
- * beam does not depend on its elevation. An array that steers its beam away from its axis by the angle s has less gain,
- * by the factor {@code cos(s)^scanLoss} (R. J. Mailloux, Phased Array Antenna Handbook).
+ * The beam of an antenna, in transmission and in reception: the gain relative to the maximum is
+ * {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a in azimuth and e in elevation from its centre,
+ * with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1). The angles are measured in the frame of the
+ * beam, as for the antenna of a radio receiver, so the shape of the beam does not depend on its elevation. An array
+ * that steers its beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J.
+ * Mailloux, Phased Array Antenna Handbook).
  *
- * @param azimuthBeamwidth half-power beamwidth in azimuth, 0.01 to 360 degrees, rad
- * @param elevationBeamwidth half-power beamwidth in elevation, 0.01 to 180 degrees, rad
+ * @param azimuthBeamwidth half-power beamwidth A in azimuth, pi/18000 (0.01 degrees) to 2 pi rad
+ * @param elevationBeamwidth half-power beamwidth E in elevation, pi/18000 (0.01 degrees) to pi rad
  * @param sideLobes level of the side lobes below that of the main lobe, 0 to 100 dB one way
  * @param steering planes (azimuth, elevation) in which the beam is steered towards its target; in the other plane it
  *     stays on the axis of the radar

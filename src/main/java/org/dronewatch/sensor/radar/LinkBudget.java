@@ -110,7 +110,7 @@ public sealed interface LinkBudget {
          * processing alone: a beam-shape loss of 2.5 dB, since a scanned beam rarely points straight at the drone (a
          * Gaussian beam in two dimensions: D. K. Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming
          * weighting in range and in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since the
-         * threshold is estimated from 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Those of lines and
+         * threshold is estimated from 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Losses in lines and
          * radome are not included.
          */
         @Defaults({"power", "gain", "integrationTime"})
@@ -162,7 +162,7 @@ public sealed interface LinkBudget {
      * determines the overall gain, including that from integrating pulses; the echo then falls with the fourth power of
      * the range.
      *
-     * @param range range at which the target is detected, 0.1 m to 1000 km, m
+     * @param range range at which the target is detected, 0.1 to 1,000,000 m
      * @param crossSection radar cross-section of that target, 1e-9 to 1e6 m2
      * @param probability probability of detection, 0.1 to 0.99
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01

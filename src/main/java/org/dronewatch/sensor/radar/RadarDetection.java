@@ -50,7 +50,7 @@ public sealed interface RadarDetection {
     /** A decision on the echoes of targets with one kind of fluctuation. */
     interface Decision {
         /**
-         * The threshold for an echo in one look, dB.
+         * The signal-to-noise ratio that an echo must reach in one look, dB.
          *
          * @param random the look's random numbers
          */

@@ -34,16 +34,16 @@ import org.dronewatch.world.World;
  *
  * @param position position of its antenna, m
  * @param aim direction of the centre of its field of view; the elevation is the tilt of its mount
- * @param maxTilt maximum tilt of its mount, up or down, which limits the elevation of the aim, 0 to 90 degrees, rad
- * @param azimuthWidth horizontal width of its field of view, 0.01 to 360 degrees, rad
- * @param elevationWidth vertical width of its field of view, 0.01 to 180 degrees, rad
- * @param minRange minimum range: nearer drones are masked by the radar's own pulse, 0 to 1000 km, m
- * @param maxRange maximum range: farther drones are not detected, above 0 and at most 1000 km, m
- * @param minSpeed minimum radial speed: slower drones are rejected as ground clutter, 0 to 10,000 m/s; not used with a
- *     notch
- * @param maxSpeed maximum radial speed: faster drones are not detected, above 0 and at most 10,000 m/s
+ * @param maxTilt maximum tilt of its mount, up or down, which limits the elevation of the aim, 0 to pi/2 rad
+ * @param azimuthWidth horizontal width of its field of view, pi/18000 (0.01 degrees) to 2 pi rad
+ * @param elevationWidth vertical width of its field of view, pi/18000 (0.01 degrees) to pi rad
+ * @param minRange minimum range, within which drones are masked by the radar's own pulse, 0 to 1,000,000 m
+ * @param maxRange maximum range, beyond which drones are not detected, above 0 and at most 1,000,000 m
+ * @param minSpeed minimum radial speed, below which drones are rejected as ground clutter, 0 to 10,000 m/s; not used
+ *     with a notch
+ * @param maxSpeed maximum radial speed, above which drones are not detected, above 0 and at most 10,000 m/s
  * @param rate scans per second, above 0, Hz
- * @param frequency carrier frequency, 1 to 1000 GHz, Hz
+ * @param frequency carrier frequency, 1e9 to 1e12 Hz (1 to 1000 GHz)
  * @param polarisation polarisation; it affects attenuation by rain and reflection from the ground
  * @param budget link budget, which gives the signal-to-noise ratio of an echo
  * @param detection detection function: the signal-to-noise ratio at which an echo is detected
@@ -236,7 +236,7 @@ public record RadarSettings(
         return SettingsForm.with(this, "maxTilt", angle);
     }
 
-    /** These settings with another field of view, rad. */
+    /** These settings with another horizontal and vertical width of the field of view, rad. */
     public RadarSettings withFieldOfView(double azimuth, double elevation) {
         return SettingsForm.with(this, Map.of("azimuthWidth", azimuth, "elevationWidth", elevation));
     }

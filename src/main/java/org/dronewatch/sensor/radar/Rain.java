@@ -57,9 +57,9 @@ public final class Rain {
     /**
      * Specific attenuation, one way, dB/m.
      *
-     * @param frequency carrier frequency, 1 to 1000 GHz, Hz
+     * @param frequency carrier frequency, 1e9 to 1e12 Hz (1 to 1000 GHz)
      * @param rate rain rate, 0 or more, mm/h
-     * @param elevation elevation of the path, rad
+     * @param elevation elevation of the path above the horizon, rad
      * @throws IllegalArgumentException when the frequency is outside its limits
      */
     public static double attenuation(double frequency, double rate, double elevation, Polarisation polarisation) {

@@ -10,8 +10,8 @@ public final class KnifeEdge {
     /**
      * Loss at a knife edge (P.526-15, equation (31)).
      *
-     * @param v diffraction parameter; negative for an edge below the line
-     * @return loss, dB; 0 for an edge far below the line
+     * @param v diffraction parameter, dimensionless; negative for an edge below the straight line between the antennas
+     * @return loss, dB; 0 for an edge far below that line
      */
     public static double loss(double v) {
         return v <= CLEAR ? 0.0 : 6.9 + 20.0 * Math.log10(Math.sqrt((v - 0.1) * (v - 0.1) + 1.0) + v - 0.1);

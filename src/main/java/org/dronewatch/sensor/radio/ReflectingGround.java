@@ -15,7 +15,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param conductivity conductivity, 0 to 100 S/m: 0.001 for medium dry, 0.01 for wet ground, 5 for sea water
  * @param roughness standard deviation of the ground's height from the mesh, 0 to 100 m
  * @param roundEarth whether the reflecting surface is a sphere of 4/3 of the earth's radius, which spreads the
- *     reflected wave; the meshes of the site stay as they are
+ *     reflected wave; the meshes of the site are not curved
  */
 public record ReflectingGround(
         @In(value = Quantity.NUMBER, from = 1, to = 100) double permittivity,

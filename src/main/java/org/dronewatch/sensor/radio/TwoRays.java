@@ -8,10 +8,10 @@ import org.dronewatch.world.World;
 /**
  * The interference of the direct wave with the wave reflected by the ground of a site. The reflecting surface is the
  * straight line along the path that best fits the heights of the site within the first Fresnel zone about the point of
- * reflection; the deviations from it count as roughness. An obstacle near one of the two legs of the reflected path, or
- * in it, weakens the reflection by its diffraction loss, so that the result has no step where an edge rises into a leg.
- * No reflection is counted where there is no ground. On a round earth, the heights above that line are those above a
- * sphere. For use by one thread.
+ * reflection; the deviations from it count as roughness. An obstacle that is near one of the two legs of the reflected
+ * path, or obstructs it, weakens the reflection by its diffraction loss, so that the result has no step where an edge
+ * rises into a leg. No reflection is counted where there is no ground. On a round earth, the heights above that line
+ * are those above a sphere. For use by one thread.
  */
 public final class TwoRays {
     private static final double LIGHT = 299_792_458.0;
@@ -74,8 +74,8 @@ public final class TwoRays {
      * @param to the drone or the pilot, m
      * @param frequency carrier frequency, Hz
      * @param isVertical whether the wave is polarised vertically, not horizontally
-     * @param amplitude amplitude of the sensor's antenna in the direction of a vector, relative to that towards the
-     *     drone or pilot; 0 where it does not look
+     * @param amplitude field amplitude that the sensor's antenna receives from the direction of a vector, relative to
+     *     that from the drone or pilot; 0 outside its field of view
      */
     public double weighted(
             Position from, Position to, double frequency, boolean isVertical, ToDoubleFunction<Position> amplitude) {

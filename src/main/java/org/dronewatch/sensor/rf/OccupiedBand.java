@@ -10,11 +10,12 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * A band in which other transmitters, such as WLAN or phones, intermittently raise the noise of a receiver.
  *
- * @param density power per megahertz received by an antenna of 0 dBi while the others transmit, -200 to 50 dBm
- * @param occupancy fraction of the looks during which the others transmit, 0 to 1
+ * @param density power density received by an antenna of 0 dBi while the other transmitters are on, -200 to 50 dBm per
+ *     MHz
+ * @param occupancy fraction of the looks during which the other transmitters are on, 0 to 1
  * @param band the band
- * @param minFrequency lower edge in place of that of {@code band}, 1 MHz to 100 GHz, Hz
- * @param maxFrequency upper edge in place of that of {@code band}, Hz
+ * @param minFrequency lower edge in place of that of {@code band}, 1e6 to 1e11 Hz (1 MHz to 100 GHz)
+ * @param maxFrequency upper edge in place of that of {@code band}, above the lower edge and at most 1e11 Hz
  */
 public record OccupiedBand(
         @In(value = Quantity.LEVEL, from = -200, to = 50) double density,

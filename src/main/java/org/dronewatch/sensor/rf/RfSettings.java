@@ -36,8 +36,8 @@ import org.dronewatch.world.World;
  *
  * @param position position of its antenna, m
  * @param rate looks per second, above 0, Hz
- * @param minFrequency lowest frequency that it receives, 1 MHz to 100 GHz, Hz
- * @param maxFrequency highest frequency that it receives, Hz
+ * @param minFrequency lowest frequency that it receives, 1e6 to 1e11 Hz (1 MHz to 100 GHz)
+ * @param maxFrequency highest frequency that it receives, above the lowest and at most 1e11 Hz
  * @param gain gain of its antenna, in all directions or on the axis of its beam, -50 to 60 dBi
  * @param bandwidth noise bandwidth, 1 to 1e10 Hz
  * @param noiseFigure noise figure of its electronics, 0 to 50 dB
@@ -49,7 +49,7 @@ import org.dronewatch.world.World;
  * @param clutterIncludesEdges whether {@code clutter} includes the loss by diffraction at the edges of the site's
  *     models: if so, the greater of the two losses counts, otherwise their sum
  * @param environment surroundings, which determine the man-made noise; omit it for thermal noise alone
- * @param occupied bands in which others transmit intermittently, by name; they must not overlap
+ * @param occupied bands in which other transmitters are on intermittently, by name; the bands must not overlap
  * @param recognised types of emission that it can recognise as a drone's
  * @param dwell time for which it listens when a transmission comes in bursts; omit it for a receiver that receives
  *     every burst
@@ -183,7 +183,7 @@ public record RfSettings(
         return SettingsForm.with(this, "beam", Optional.of(pattern));
     }
 
-    /** These settings with other frequencies, Hz. */
+    /** These settings with another lowest and highest frequency, Hz. */
     public RfSettings withFrequencies(double from, double to) {
         return SettingsForm.with(this, Map.of("minFrequency", from, "maxFrequency", to));
     }
@@ -216,7 +216,7 @@ public record RfSettings(
         return SettingsForm.with(this, "environment", Optional.of(noise));
     }
 
-    /** These settings with one more band in which others transmit. */
+    /** These settings with one more band that other transmitters occupy. */
     public RfSettings withOccupied(String name, OccupiedBand band) {
         Map<String, OccupiedBand> more = new LinkedHashMap<>(occupied);
         more.put(name, band);

@@ -14,9 +14,9 @@ import org.dronewatch.setting.SettingsForm;
  * Detection, by a program, of drones that are no more than spots: in each frame, the program marks the pixels whose
  * signal exceeds t times the noise, and it reports a spot that was marked in several of the latest frames. Noise is
  * normally distributed, and independent between pixels and between frames, so a frame marks a spot with the probability
- * {@code P1 = Phi(SNR - t)}, where Phi is the normal distribution function and SNR the signal-to-noise ratio of the
- * spot's pixel. At least M of N frames mark it with the probability
- * {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N - i)}, where C is the binomial coefficient.
+ * {@code P1 = Phi(SNR - t)}, where Phi is the normal distribution function and SNR is the ratio, not in dB, of the
+ * signal of the spot's pixel to the standard deviation of the noise. At least M of N frames mark it with the
+ * probability {@code P = sum over i from M to N of C(N, i) P1^i (1 - P1)^(N - i)}, where C is the binomial coefficient.
  *
  * <p>The threshold t follows from the accepted number of false alarms per hour. In each pixel and frame, noise causes a
  * mean number of false alarms of
@@ -209,7 +209,8 @@ public record PointTargets(
     /**
      * The probability that one frame marks a spot: {@code Phi(SNR - t)}.
      *
-     * @param signalToNoise signal-to-noise ratio of the pixel that contains the spot, 0 or more
+     * @param signalToNoise SNR, the ratio, not in dB, of the signal of the pixel that contains the spot to the standard
+     *     deviation of the noise, 0 or more
      * @param threshold t, in standard deviations of the noise
      */
     public static double markProbability(double signalToNoise, double threshold) {
@@ -217,9 +218,9 @@ public record PointTargets(
     }
 
     /**
-     * The probability that at least M of N frames mark a spot, if each marks it with a given probability.
+     * The probability that at least M of N frames mark a spot.
      *
-     * @param mark that probability, 0 to 1
+     * @param mark probability P1 that one frame marks the spot, 0 to 1
      */
     public double probability(double mark) {
         double sum = 0.0;

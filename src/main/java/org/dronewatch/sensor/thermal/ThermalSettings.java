@@ -31,21 +31,21 @@ import org.dronewatch.world.World;
  *
  * @param position its centre of projection, m
  * @param aim aim of its axis
- * @param roll rotation about its axis, right side down; at 0 the horizon is level, rad
+ * @param roll rotation about its axis, right side down, from a level horizon, -4 pi to 4 pi, rad
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
- * @param fov field of view, 0.01 to 179 degrees, rad
+ * @param fov field of view, 0.01 to 179 degrees expressed in rad
  * @param fovAxis the axis of the image along which the field of view is measured
  * @param projection position of its axis in the image, and its near and far planes
- * @param aperture diameter of the entrance pupil of its lens, 0.1 mm to 10 m; it determines the blur due to
- *     diffraction; omit it for a lens without diffraction
- * @param wavelength wavelength at which it operates, 100 nm to 30 um; it determines the blur due to
- *     the lens and the air, m
- * @param rate looks per second, above 0, Hz: the frames that an observer is shown; those that a program
- *     examines have a separate rate in {@code pointTargets}
+ * @param aperture diameter of the entrance pupil of its lens, which determines the blur due to diffraction, 1e-4 to
+ *     10 m; omit it for a lens without diffraction
+ * @param wavelength wavelength at which it operates, which determines the blur due to the lens and the air, 1e-7 to
+ *     3e-5 m
+ * @param rate looks per second, above 0, Hz: the rate of the frames shown to an observer; a program examines frames at
+ *     the separate rate in {@code pointTargets}
  * @param netd noise-equivalent temperature difference (NETD), 1e-6 to 100 K
  * @param transmission transmittance of a kilometre of air in its band and in the weather of the scene, 1e-6 to 1
- * @param minSnr signal-to-noise ratio below which nothing is resolved, above 0 and at most 1000
+ * @param minSnr signal-to-noise ratio below which nothing is resolved, as a ratio, not in dB, above 0 and at most 1000
  * @param exposure integration time of a frame, or time constant of an uncooled detector: motion blur in this time
  *     reduces the resolution, but not the signal of point targets, 0 to 1 s
  * @param task the task that the image must support
@@ -175,7 +175,7 @@ public record ThermalSettings(
         return SettingsForm.with(this, "task", other);
     }
 
-    /** These settings, probabilistic or not. */
+    /** These settings with {@code byChance} set or not. */
     public ThermalSettings withChance(boolean drawn) {
         return SettingsForm.with(this, "byChance", drawn);
     }
@@ -185,7 +185,10 @@ public record ThermalSettings(
         return SettingsForm.with(this, "pointTargets", Optional.of(rule));
     }
 
-    /** {@inheritDoc} If no rate is stated, the rate is that of noise with point targets. */
+    /**
+     * {@inheritDoc} If {@code falseAlarms} is not set, the rate with point targets is that of noise; without them it is
+     * not known.
+     */
     @Override
     public Optional<FalseAlarmRate> falseAlarmRate() {
         return falseAlarms.map(known -> known.rate(rate)).or(this::rateOfNoise);

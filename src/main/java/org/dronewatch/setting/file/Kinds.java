@@ -49,8 +49,8 @@ public final class Kinds {
         Set<String> names();
 
         /**
-         * The parts of the system with this name, by the suffix that is appended to the name of the entry in the file
-         * to name the part; none unless the name is that of a system.
+         * The parts of the system with this name, by the suffix that each part adds to the name of the entry in the
+         * file; empty unless the name is that of a system.
          */
         default Map<String, Node.Mapping> partsOf(String name) {
             return Map.of();

@@ -6,8 +6,8 @@ import java.util.Comparator;
  * A location in a file.
  *
  * @param file name of the file
- * @param line from 1
- * @param column from 1
+ * @param line number of the line, from 1
+ * @param column number of the column, from 1
  */
 public record Mark(String file, int line, int column) implements Comparable<Mark> {
     private static final Comparator<Mark> ORDER =

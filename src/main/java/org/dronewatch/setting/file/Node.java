@@ -40,7 +40,7 @@ public sealed interface Node {
     /**
      * A value that was put into a document by code.
      *
-     * @param value of the type required at its location
+     * @param value the value, of the type required at its location
      */
     record Ready(Object value, Mark mark) implements Node {
         @Override

@@ -16,7 +16,7 @@ public final class SettingsFile {
     /**
      * Reads a file.
      *
-     * @param file of at most 1 MiB, in UTF-8
+     * @param file a file of at most 1 MiB, in UTF-8
      * @param type the type of record that the file describes
      * @param kinds kinds that a component of an interface type may have
      * @param used receives the settings that are written under a former name
@@ -78,7 +78,7 @@ public final class SettingsFile {
      *
      * @param kinds kinds that a component of an interface type may have
      * @param from directory against which relative file names in the settings are resolved
-     * @param file that is to hold the text; file names in the text are relative to the directory of that file
+     * @param file the file that is to hold the text; file names in the text are relative to the directory of that file
      * @return the text, which has been read back and is equal to the settings
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory
@@ -107,7 +107,7 @@ public final class SettingsFile {
      * @param type the type of the setting that holds the record: the record's own type, or an interface with kinds
      * @param kinds kinds that a component of an interface type may have
      * @param from directory against which relative file names in the settings are resolved
-     * @param file that is to hold the part; file names in the part are relative to the directory of that file
+     * @param file the file that is to hold the part; file names in the part are relative to the directory of that file
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory
      */
@@ -122,7 +122,7 @@ public final class SettingsFile {
      * @param type the type of the setting that holds the record: the record's own type, or an interface with kinds
      * @param kinds kinds that a component of an interface type may have
      * @param from directory against which relative file names in the settings are resolved
-     * @param file that is to hold the part; file names in the part are relative to the directory of that file
+     * @param file the file that is to hold the part; file names in the part are relative to the directory of that file
      * @throws InputException when a setting cannot be written, or a file that it names is not in the directory of the
      *     new file or below that directory
      */

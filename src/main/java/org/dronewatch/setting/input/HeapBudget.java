@@ -35,7 +35,7 @@ public final class HeapBudget {
     /**
      * Reserves memory that stays in use while the file is read.
      *
-     * @param bytes 0 or more
+     * @param bytes number of bytes, 0 or more
      * @throws InputException when this is more than is left
      */
     public void take(long bytes) {
@@ -46,7 +46,7 @@ public final class HeapBudget {
     /**
      * Checks whether there is memory for something that is needed only for a short time.
      *
-     * @param bytes 0 or more
+     * @param bytes number of bytes, 0 or more
      * @throws InputException when there is not enough
      */
     public void check(long bytes) {

@@ -8,7 +8,7 @@ import org.dronewatch.sound.BandFractions;
 /**
  * The absorption of a surface at one angle of incidence.
  *
- * @param angle angle between the direction of the sound and the surface's normal, 0 to 90 degrees, rad
+ * @param angle angle between the direction of the sound and the surface's normal, 0 to pi/2 rad
  * @param absorption fraction that is not reflected, 0 to 1: eight octave bands, or one number
  */
 public record AbsorptionAtAngle(

@@ -68,8 +68,9 @@ public final class AngularAbsorption {
     }
 
     /**
-     * The absorbed fractions of sound in a diffuse field, by band: the integral of {@code absorption(angle) sin(2
-     * angle)} from 0 to 90 degrees (Paris, Philosophical Magazine 5, 1928), exact for the table.
+     * The absorbed fractions of sound in a diffuse field, by band: the integral of
+     * {@code absorption(angle) sin(2 angle)} from 0 to pi/2 (Paris, Philosophical Magazine 5, 1928), exact for the
+     * table.
      */
     public List<Double> atRandomIncidence() {
         List<Double> mean = new ArrayList<>();

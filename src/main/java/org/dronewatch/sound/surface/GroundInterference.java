@@ -10,7 +10,7 @@ import org.dronewatch.sound.OctaveBands;
  * directivity.
  *
  * @param ground impedance of the ground
- * @param soundSpeed m/s, above 0
+ * @param soundSpeed speed of sound, above 0, m/s
  * @param direct length of the direct path R1, m, above 0
  * @param reflected length of the reflected path R2, m, R1 or more
  * @param sourceHeight height of the source above the plane of the ground, m, 0 or more
@@ -55,7 +55,7 @@ public record GroundInterference(
     /**
      * The energy at one frequency.
      *
-     * @param frequency Hz, above 0
+     * @param frequency frequency, above 0, Hz
      * @param directEnergy energy of the direct path alone, a1 squared
      * @param reflectedEnergy energy of the reflected path alone, over rigid ground, a2 squared
      * @return in the unit of the two energies

@@ -12,8 +12,8 @@ package org.dronewatch.sound.surface;
  * beyond {@code k L^2}, half is in the phase and half in the logarithm of the amplitude, with the same sum. With the
  * phase alone, as in G. A. Daigle (JASA 65, 45, 1979), the exponent would be half as large beyond {@code k L^2}.
  *
- * @param strength variance m2 of the refractive index: 0 without turbulence, about 1e-8 in calm air, 1e-4 in very
- *     turbulent air
+ * @param strength variance m2 of the acoustic refractive index: 0 without turbulence, about 1e-8 in calm air, 1e-4 in
+ *     very turbulent air
  * @param scale correlation length L, m, above 0
  */
 public record TurbulentCoherence(double strength, double scale) {
@@ -73,8 +73,8 @@ public record TurbulentCoherence(double strength, double scale) {
     /**
      * The coherence of direct and reflected sound, 0 to 1.
      *
-     * @param frequency Hz
-     * @param soundSpeed m/s
+     * @param frequency frequency of the sound, Hz
+     * @param soundSpeed speed of sound, m/s
      * @param length length of the paths, m
      * @param sourceHeight height of the source above the ground, m, 0 or more
      * @param receiverHeight height of the receiver above the ground, m, 0 or more

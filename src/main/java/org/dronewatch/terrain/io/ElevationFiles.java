@@ -111,7 +111,7 @@ public final class ElevationFiles {
         }
     }
 
-    /** The exception for a file that cannot be read, in one line. */
+    /** The exception for a file that cannot be read, with a message of one line. */
     public static InputException unreadable(String name, IOException problem) {
         if (problem instanceof EOFException) {
             return new InputException(name + ": ends too early: it is truncated or damaged", problem);

@@ -177,7 +177,7 @@ public final class CoverageForm extends JPanel {
         return parsed;
     }
 
-    /** Replaces heights, side and cell. */
+    /** Replaces the texts in the fields for the heights, the side of the area and the side of a cell. */
     public void set(String newHeights, String newSide, String newCell) {
         heights.setText(newHeights);
         side.setText(newSide);

@@ -220,7 +220,7 @@ public final class CoveragePanel extends JPanel {
         heights.toggle();
     }
 
-    /** Describes the cell at a point of the site. */
+    /** Describes the cell at a point of the site; none if the point is empty. */
     public void point(Optional<Position> place) {
         pointed.point(place);
     }

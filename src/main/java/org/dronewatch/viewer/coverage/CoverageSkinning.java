@@ -25,7 +25,7 @@ public final class CoverageSkinning implements AutoCloseable {
      *
      * @param off the sensors that are switched off
      * @param words what is covered, as a text
-     * @param fineness of what is shown while sensors are moved; empty if none was moved
+     * @param fineness fineness of what is shown while sensors are moved; empty if none was moved
      */
     public record Shown(
             ViewedCoverage coverage,

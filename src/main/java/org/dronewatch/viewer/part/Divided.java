@@ -12,7 +12,7 @@ public final class Divided {
     /**
      * Two parts with a divider between them.
      *
-     * @param orientation as for a {@link JSplitPane}
+     * @param orientation orientation of the {@link JSplitPane}
      * @param weight fraction of additional space that the first part receives when the window grows, 0 to 1
      */
     public static JSplitPane split(int orientation, Component first, Component second, double weight) {

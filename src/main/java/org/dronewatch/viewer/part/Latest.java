@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import org.dronewatch.parallel.Workers;
 
 /**
- * A thread that performs only the latest request. Requests not yet started are dropped; the running one is notified
- * that it is out of date.
+ * A thread that performs only the latest request. A new request replaces one that has not been started, and notifies
+ * the running one that it is out of date.
  */
 public final class Latest implements AutoCloseable {
     private static final long PATIENCE_SECONDS = 5;

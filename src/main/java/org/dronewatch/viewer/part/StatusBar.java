@@ -33,7 +33,7 @@ public final class StatusBar extends JPanel {
     /**
      * Shows the progress of a run.
      *
-     * @param fraction of the run that is simulated, 0 to 1
+     * @param fraction fraction of the run that has been simulated, 0 to 1
      * @param isFinished whether all runs are over, so that there is no progress to show
      */
     public void progress(double fraction, boolean isFinished) {

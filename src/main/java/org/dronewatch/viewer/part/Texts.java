@@ -65,8 +65,8 @@ public final class Texts {
     }
 
     /**
-     * A measured value: a whole number from 1000 on, otherwise with one decimal from 10 on and two below; whole numbers
-     * without decimals, and infinities in words.
+     * A measured value. A magnitude below 10 is shown with two decimals, one from 10 to below 1000 with one decimal;
+     * larger ones and whole numbers are shown without decimals, infinities in words.
      */
     public static String value(double value) {
         if (value == Double.NEGATIVE_INFINITY) {

@@ -11,7 +11,7 @@ public abstract class TitledTable extends AbstractTableModel {
     /**
      * A table.
      *
-     * @param titles of its columns
+     * @param titles titles of the columns
      */
     protected TitledTable(String... titles) {
         this.titles = titles.clone();

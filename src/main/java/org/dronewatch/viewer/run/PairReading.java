@@ -8,7 +8,7 @@ import org.dronewatch.viewer.part.Texts;
  * @param time time of the measurement, seconds since the start of the run
  * @param value measured value
  * @param threshold threshold that the value must reach
- * @param unit of value and threshold
+ * @param unit unit of value and threshold
  * @param range distance to the drone, m
  */
 public record PairReading(double time, double value, double threshold, String unit, double range) {

@@ -78,7 +78,9 @@ public final class Playback {
         changed();
     }
 
-    /** Pauses, and steps by a number of looks of the sensor with the highest rate, back if it is negative. */
+    /**
+     * Pauses, and steps by a number of looks of the sensor with the highest rate, backwards if the number is negative.
+     */
     public void step(int looks) {
         playing = false;
         // The time goes from look to look, wherever between two looks it was.

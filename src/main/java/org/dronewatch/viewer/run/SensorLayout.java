@@ -56,12 +56,16 @@ public final class SensorLayout {
         return settings;
     }
 
-    /** The layout most recently written to a file, or that of the scene. */
+    /** The layout most recently written to a file, or that of the scene if none was written. */
     public SceneSettings saved() {
         return saved;
     }
 
-    /** Sets the most recently saved settings: in later runs, sensors that differ from them have unsaved changes. */
+    /**
+     * Sets the settings with which the sensors of later runs are compared: those that differ have unsaved changes.
+     *
+     * @param inFile the most recently saved settings, or those of the scene that was opened if none were saved
+     */
     public void beginWith(SceneSettings inFile) {
         begin = inFile;
     }

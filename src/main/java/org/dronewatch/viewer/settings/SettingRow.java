@@ -22,7 +22,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param path path of the setting in the tree, as in {@code detection.pixels}
  * @param value value of the setting with its unit, as it can be written; {@link #NONE} if it is not set
  * @param allowed the values that it can have, in words; empty if any value is valid
- * @param quantity of a numeric value
+ * @param quantity quantity of a numeric value
  */
 public record SettingRow(String path, String value, String allowed, Quantity quantity) {
     /** The value of a setting that is not set. */

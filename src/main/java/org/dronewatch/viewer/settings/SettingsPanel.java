@@ -114,7 +114,7 @@ public final class SettingsPanel extends JPanel {
         return background != null && background.getGreen() < DARKEST_OF_LIGHT ? ON_DARK : ON_LIGHT;
     }
 
-    /** Selects a sensor, or something else; null for nothing. */
+    /** Shows the settings of the sensor with this id; none if the id is null or not that of a sensor. */
     public void select(String id) {
         stopEditing();
         model.select(Optional.ofNullable(id));

@@ -14,9 +14,10 @@ public record Tape(End from, End to) {
     /**
      * An end of a tape.
      *
-     * @param name of the sensor or drone there; for another point, {@link #POINT}
-     * @param place from which distances are measured, m
-     * @param eye from which the line of sight is traced, m; slightly in front of the surface if the place lies on one
+     * @param name name of the sensor or drone there; for another point, {@link #POINT}
+     * @param place point from which distances are measured, m
+     * @param eye point from which the line of sight is traced, m; slightly in front of the surface if {@code place}
+     *     lies on one
      */
     public record End(String name, Position place, Position eye) {
         /** The name of an end that is neither a sensor nor a drone. */
@@ -39,8 +40,8 @@ public record Tape(End from, End to) {
         /**
          * A point on a surface.
          *
-         * @param place on the surface, m
-         * @param viewpoint from which it is seen, m; the eye is on this side of the surface
+         * @param place point on the surface, m
+         * @param viewpoint point from which the surface is seen, m; the eye is on this side of the surface
          */
         public static End onSurface(Position place, Position viewpoint) {
             Position back = viewpoint.minus(place);

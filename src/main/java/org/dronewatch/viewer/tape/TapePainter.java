@@ -18,10 +18,10 @@ import org.dronewatch.viewer.part.Scaled;
 import org.jogamp.vecmath.Point2d;
 
 /**
- * Paints a tape over a picture of the site: solid as far as the line of sight is clear, with a cross where it is
- * blocked, and dashed beyond the cross.
+ * Paints the {@linkplain Tape measuring tape} over a picture of the site: solid as far as the line of sight is clear,
+ * with a cross where it is blocked, and dashed beyond the cross.
  *
- * @param pixels the pixel at which a place is drawn; empty where it is out of the picture
+ * @param pixels returns the pixel at which a position is drawn; empty if it is outside the picture
  */
 public record TapePainter(Function<Position, Optional<Point2d>> pixels) {
     /** For any colour vision: Okabe and Ito, Color Universal Design, 2008. */

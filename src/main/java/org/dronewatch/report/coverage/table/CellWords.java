@@ -16,7 +16,8 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 
 /**
- * Describes one cell of a coverage: which sensor decides there, and whether each sensor detects the drone, or why not.
+ * Describes one cell of a coverage: whether each sensor detects the drone there, or why not, and which sensor decides,
+ * because it has the highest probability of detection or, in a tie, comes nearest to a detection.
  */
 public final class CellWords {
     private static final double LEAST_SHOWN = 0.005;
@@ -32,10 +33,10 @@ public final class CellWords {
     /**
      * The words for a cell.
      *
-     * @param settings of the scene
-     * @param height index of the height in the grid
-     * @param column from the west
-     * @param row from the north
+     * @param settings settings of the scene
+     * @param height index of the height in the grid, from 0 for the lowest
+     * @param column column of the cell, from 0 in the west
+     * @param row row of the cell, from 0 in the north
      */
     public CellWords(FieldCoverage coverage, SceneSettings settings, int height, int column, int row) {
         this.coverage = coverage;
@@ -97,8 +98,8 @@ public final class CellWords {
     }
 
     /**
-     * Why a sensor, given by its index, does not detect the drone, or that it does; from the field alone. Empty where
-     * no drone can be.
+     * States that a sensor, given by its index, detects the drone, or why it does not, from the field alone. Empty
+     * where no drone can be.
      */
     public String cause(int sensor) {
         if (!coverage.field().isOpen(height, column, row)) {

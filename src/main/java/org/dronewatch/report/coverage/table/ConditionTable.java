@@ -15,7 +15,7 @@ public final class ConditionTable {
 
     /**
      * For each height and condition, the fractions of the known cells that are covered and lost, and the sensor that
-     * covers most.
+     * covers the most cells.
      *
      * @param conditions the first is the scene as it is
      * @param covered the probability with which a sensor must detect the drone, 0.008 to 0.996, or 1
@@ -86,7 +86,10 @@ public final class ConditionTable {
                 .orElse("none");
     }
 
-    /** What is lost, in % of the cells known in the scene as it is; under the condition, fewer may be known. */
+    /**
+     * The cells that are covered in the scene as it is but not under the condition, in percent of the cells known in
+     * the scene as it is; a dash if none is known.
+     */
     public static String lost(ConditionCoverage.Height height) {
         return height.knownAsItIs() == 0 ? "-" : CoverageTable.percent(height.lost(), height.knownAsItIs());
     }

@@ -57,7 +57,7 @@ public record CoverageInputs(
         return Numbers.text(FieldCoverage.DEFAULT_COVERED) + " or more";
     }
 
-    /** The heading in words, {@code on the worst heading} or {@code inbound}; if sensors search, this is added. */
+    /** The heading in words, {@code on the worst heading} or {@code inbound}, and that sensors search, if they do. */
     public String headingInWords() {
         return (heading.equals("inbound") ? heading : "on the " + heading + " heading")
                 + (terms.pointing() == FieldTerms.Turning.SEARCH ? ", sensors searching" : "");

@@ -73,7 +73,12 @@ public final class CoverageTable {
         };
     }
 
-    /** A fraction of cells, in percent: {@code 100.0} only for all of them, a dash for none. */
+    /**
+     * A fraction of cells, in percent: {@code 100.0} only for all of them, a dash for none.
+     *
+     * @param cells number of cells in the fraction
+     * @param of number of all cells, above 0 unless {@code cells} is 0
+     */
     public static String percent(int cells, int of) {
         double percent = 100.0 * cells / of;
         if (cells == 0) {

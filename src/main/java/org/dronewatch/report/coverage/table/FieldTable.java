@@ -64,9 +64,9 @@ public final class FieldTable {
     }
 
     /**
-     * Why a drone's radial speed is too low for a sensor in some cells on the worst heading: on that heading, a radar
-     * that rejects low radial speeds detects nothing, wherever the drone is, even where another sensor has the dominant
-     * cause. Empty if there are no such cells, or another heading counts.
+     * Explains why, on the worst heading, the drone's radial speed is too low for a sensor: on that heading, a radar
+     * that rejects low radial speeds detects the drone in no cell, including cells whose dominant cause is that of
+     * another sensor. Empty if the radial speed is too low in no cell, or if another heading counts.
      */
     public static Optional<String> slownessInWords(FieldSummary summary, CoverageInputs inputs) {
         boolean isTooSlow =

@@ -15,15 +15,15 @@ import org.dronewatch.report.CompassPoint;
  *
  * @param time the warning time in words; empty where the drone arrives undetected
  * @param isFromStart whether the time is a lower bound
- * @param flights the flights with this warning time, in their order
- * @param of the number of all flights
+ * @param flights the flights with this warning time, in the order in which they were given
+ * @param of number of all flights
  */
 public record LeastWarning(String time, boolean isFromStart, List<Warning> flights, int of) {
     /**
      * The shortest warning time of the given flights; an undetected arrival counts as the shortest.
      *
      * @param all at least one flight
-     * @param words writes a time, s
+     * @param words formats a time, s
      */
     public static LeastWarning of(List<Warning> all, DoubleFunction<String> words) {
         Warning least = all.stream()
@@ -36,11 +36,11 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
     }
 
     /**
-     * In words, the shortest warning time over the bearings with any warning: {@code 12.4 s or more}, or {@code 12.4 s}
-     * if only one bearing has a warning; empty if all bearings have one, or none has. No line breaks between number and
-     * unit.
+     * In words, the shortest warning time over the bearings with a warning: {@code 12.4 s or more}, or {@code 12.4 s}
+     * if only one bearing has a warning; empty if all bearings have a warning, or none has. A no-break space separates
+     * the number from its unit.
      *
-     * @param words writes a time, s
+     * @param words formats a time, s
      */
     public static Optional<String> ofOthers(List<Warning> all, DoubleFunction<String> words) {
         DoubleSummaryStatistics times =

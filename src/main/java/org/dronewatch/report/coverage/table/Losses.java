@@ -11,7 +11,7 @@ import org.dronewatch.analysis.survey.FieldSummary;
 import org.dronewatch.analysis.survey.HeightSummary;
 import org.dronewatch.report.html.Html;
 
-/** What is lost if a sensor fails, and at which heights, and which sensors add nothing. */
+/** What is lost if a sensor fails, at which heights, and which sensors add nothing. */
 public final class Losses {
     /** A height at which this fraction of the coverage is lost belongs to a lost band. */
     private static final double MOST_OF_IT = 0.5;
@@ -30,8 +30,8 @@ public final class Losses {
      * headings of the drone.
      *
      * @param introduction sentences that explain this difference
-     * @param coverage what the figures of each height are, such as {@code the coverage of inbound flight}
-     * @param head title of its column
+     * @param coverage what the figures of single heights state, such as {@code the coverage of inbound flight}
+     * @param head title of the column of this figure
      * @param all the figure with all sensors
      * @param without the figure without each sensor, by the sensor's name
      */

@@ -24,7 +24,7 @@ public final class MoveWords {
             this.words = words;
         }
 
-        /** The name, in one word. */
+        /** The name of this fineness, in one word. */
         public String word() {
             return word;
         }

@@ -15,12 +15,12 @@ import org.dronewatch.report.CompassPoint;
  * The point from which a report describes where something is: the centre of what is protected, or the mean position of
  * the sensors.
  *
- * @param at its position, m
- * @param name what it is, such as {@code the centroid of the sensors}
+ * @param at position of the point, m
+ * @param name what the point is, such as {@code the centroid of the sensors}
  * @param geodesy converts to geographic coordinates; empty if the scene has no origin
  */
 public record ReferencePoint(Position at, String name, Optional<Geodesy> geodesy) {
-    /** The target of inbound flights. */
+    /** The point that inbound flights head for. */
     public static ReferencePoint of(InboundWarnings warnings, Protection protection, CoverageInputs inputs) {
         String name = inputs.area()
                 .filter(area -> !area.equals(Protection.ZONE))

@@ -49,8 +49,8 @@ public final class SensorCausesTable {
     /**
      * The lines of the table; empty for a single sensor, whose causes are the dominant ones.
      *
-     * @param inputs of the coverage
-     * @param report where to find the sensors that are not printed, such as {@code in field/report.html}
+     * @param inputs inputs of the coverage
+     * @param report where the rows that are not printed can be found, such as {@code in field/report.html}
      */
     public List<String> lines(CoverageInputs inputs, String report) {
         List<String> lines = new ArrayList<>();
@@ -77,7 +77,7 @@ public final class SensorCausesTable {
     /**
      * The table of a report, with all sensors; empty for a single sensor.
      *
-     * @param inputs of the coverage
+     * @param inputs inputs of the coverage
      */
     public String html(CoverageInputs inputs) {
         if (!isNeeded()) {

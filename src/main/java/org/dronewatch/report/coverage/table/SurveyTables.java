@@ -33,7 +33,7 @@ public final class SurveyTables {
     /**
      * The tables of what was completed, separated by empty lines.
      *
-     * @param report where to find the sensors that are not printed, such as {@code in field/report.html}
+     * @param report where the rows that are not printed can be found, such as {@code in field/report.html}
      */
     public static List<String> lines(FieldSurvey survey, CoverageInputs inputs, String report) {
         List<List<String>> tables = new ArrayList<>(causes(survey.summary(), inputs, report));

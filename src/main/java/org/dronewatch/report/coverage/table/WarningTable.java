@@ -67,8 +67,8 @@ public final class WarningTable {
     }
 
     /**
-     * The shortest warning time, with its bearings, and, if some bearings give no warning, the shortest from the
-     * others.
+     * The shortest warning time, with its bearings, and, if some bearings give no warning, the shortest warning time
+     * over the other bearings.
      */
     public static String leastAndOthers(List<Warning> warnings) {
         return leastAndOthers(warnings, WarningTable::seconds);
@@ -77,7 +77,7 @@ public final class WarningTable {
     /**
      * The shortest warning time in words, as {@link #leastAndOthers(List)} gives it, but with times in a given format.
      *
-     * @param words writes a time, s
+     * @param words formats a time, s
      */
     public static String leastAndOthers(List<Warning> warnings, DoubleFunction<String> words) {
         LeastWarning least = LeastWarning.of(warnings, words);

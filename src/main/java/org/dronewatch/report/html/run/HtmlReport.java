@@ -40,7 +40,7 @@ public final class HtmlReport {
      * A report of a finished scene.
      *
      * @param looks the looks recorded in all runs
-     * @param views called for one run after another
+     * @param views provides the site and the images of each run; called for one run after another
      * @param plots plots of the measured values
      * @param provenance origin of the results, as names and values; empty to omit this section
      */

@@ -15,10 +15,11 @@ import org.dronewatch.sound.Levels;
  * @param microphones number of microphones, 2 to 4096; at least 3 for a ring and 4 for a sphere
  * @param aperture length of a line, or diameter of a ring or a sphere, above 0 and at most 100 m
  * @param shape arrangement of the microphones
- * @param accuracy standard deviation of a measured direction at any signal-to-noise ratio, due to errors in the
+ * @param accuracy standard deviation that a measured direction has at any signal-to-noise ratio, due to errors in the
  *     positions, phases and gains of the microphones and to the air, 0 to pi/6 rad; the default of one degree is an
  *     assumption
- * @param axis direction of a horizontal line, clockwise from north, rad; it has no effect for other shapes
+ * @param axis direction of a horizontal line, clockwise from north, -4 pi to 4 pi rad; it has no effect for other
+ *     shapes
  */
 public record ArraySettings(
         @In(value = Quantity.NUMBER, from = 2, to = 4096) int microphones,
@@ -68,7 +69,7 @@ public record ArraySettings(
         return new ArraySettings(microphones, aperture, Shape.SPHERE, Math.toRadians(1.0), 0.0);
     }
 
-    /** These microphones in another arrangement. */
+    /** This array in another arrangement. */
     public ArraySettings withShape(Shape other) {
         return SettingsForm.with(this, "shape", other);
     }
@@ -105,7 +106,7 @@ public record ArraySettings(
      * the broadside width {@code 0.886 lambda / (N d)}; for other shapes, about that of a line as long as their
      * diameter.
      *
-     * @param wavelength m, above 0
+     * @param wavelength wavelength lambda, above 0, m
      */
     public double beamwidth(double wavelength) {
         return 0.886 * wavelength / (shape == Shape.LINE ? microphones * spacing() : aperture);

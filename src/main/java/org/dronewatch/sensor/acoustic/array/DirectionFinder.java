@@ -35,7 +35,7 @@ public final class DirectionFinder {
     /**
      * A direction finder for an array.
      *
-     * @param soundSpeed m/s, above 0
+     * @param soundSpeed speed of sound, above 0, m/s
      * @param duration duration of a look, s, above 0
      */
     public DirectionFinder(ArraySettings array, double soundSpeed, double duration) {

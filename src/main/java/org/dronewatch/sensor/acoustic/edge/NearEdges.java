@@ -62,7 +62,7 @@ public final class NearEdges {
     /**
      * Finds the edges near the unobstructed arc of sound between two points.
      *
-     * @param longest detours longer than this do not count, above 0, m
+     * @param longest maximum detour, above 0, m
      * @param bending curvature of sound from the source to the sensor: {@link PathCurvature#along}, 1/m
      */
     public List<NearEdge> find(Position source, Position sensor, double longest, double bending) {

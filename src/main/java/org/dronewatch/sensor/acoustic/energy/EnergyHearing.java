@@ -188,9 +188,8 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} Directivities depend on the elevation alone. The radial speed shifts the lines of a spectrum, which
-     * matter to the narrow-band criterion; an emission that the settings alone do not determine may depend on the state
-     * of flight.
+     * {@inheritDoc} True if the settings alone determine the emission, since directivities depend on the elevation
+     * alone. False for a drone with tones under the narrow-band criterion, since the radial speed shifts the tones.
      */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {

@@ -34,8 +34,8 @@ import org.dronewatch.world.World;
  * @param diffraction method for diffraction around edges
  * @param criterion level that is compared with the background
  * @param ground whether direct and ground-reflected sound interfere
- * @param turbulence if {@code ground} is {@code coherent}, the variance of the air's refractive index, 0 to 0.001: 0
- *     without turbulence, about 1e-8 in calm air, 1e-4 in very turbulent air
+ * @param turbulence if {@code ground} is {@code coherent}, the variance of the air's acoustic refractive index, 0 to
+ *     0.001: 0 without turbulence, about 1e-8 in calm air, 1e-4 in very turbulent air
  * @param turbulenceScale if {@code ground} is {@code coherent}, the correlation length of the turbulence, 0.01 to 1000
  *     m
  * @param pressure conversion of intensity to sound pressure
@@ -163,7 +163,7 @@ public record EnergyModel(
         return SettingsForm.with(this, "ground", kind);
     }
 
-    /** This model with another variance of the air's refractive index, for coherent ground reflection. */
+    /** This model with another variance of the air's acoustic refractive index, for coherent ground reflection. */
     public EnergyModel withTurbulence(double variance) {
         return SettingsForm.with(this, "turbulence", variance);
     }

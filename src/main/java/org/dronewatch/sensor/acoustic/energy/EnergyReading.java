@@ -78,9 +78,9 @@ public record EnergyReading(
     }
 
     /**
-     * A-weighted level of the direct and diffracted sound, dB re 20 uPa. The direct sound includes the reflection from
-     * the ground with {@code ground: coherent}, unless other reflections carry more energy, and wherever the air bends
-     * the paths.
+     * A-weighted level of the direct and diffracted sound, dB re 20 uPa. With {@code ground: coherent}, the direct
+     * sound includes the reflection from the ground, unless other reflections carry more energy; otherwise only where
+     * the air bends the paths.
      */
     public double directLevel() {
         return aWeighted(band -> direct.get(band) + diffracted.get(band));

@@ -24,8 +24,8 @@ import org.dronewatch.world.World;
  * tracing rays backward from the sensor: the efficiency of this method does not depend on the distance of the source,
  * and by reciprocity, the fraction of the rays' energy that reaches the source is the fraction that the source would
  * have sent to the sensor. The first few surfaces of a path from the source are also sampled by rays from the source,
- * and the two parts of a path are connected. If the source is in a more sheltered position than the sensor, the two
- * exchange roles.
+ * and the two parts of a path are connected. If the source is in a more sheltered position than the sensor, source and
+ * sensor exchange roles.
  *
  * <p>Rays are traced in batches, on the {@link Workers} of the calling thread. Each batch has a separate random stream,
  * and batches are counted in order up to the one that makes the reading accurate enough: the reading is the same for

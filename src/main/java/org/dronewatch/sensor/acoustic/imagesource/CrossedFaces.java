@@ -9,8 +9,8 @@ import org.dronewatch.world.World;
 /**
  * The coincident faces at a point where a path of sound meets one of them, grouped by material: the path crosses all of
  * them at once. The path leaves the solids that it is inside, and enters the others. Coincident faces of a sheet count
- * as one. Coincident faces of a solid also count as one when the path enters it; when the path leaves it, at most as
- * many faces count as one as the path crossed on entering. For use by one thread.
+ * as one. Coincident faces of a solid also count as one when the path enters it; if n faces were merged then, at most n
+ * are merged when the path leaves the solid. For use by one thread.
  */
 public final class CrossedFaces {
     /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */

@@ -66,8 +66,8 @@ public final class ImageSourceSearch {
     }
 
     /**
-     * The image sources of a point. More rays are traced around any ray that has found an image source of higher order
-     * that few other rays have found.
+     * The image sources of a point. If few rays have found an image source of higher order, more rays are traced around
+     * these.
      *
      * @param from the point, m
      * @param rays number of rays, spread over all directions

@@ -253,7 +253,11 @@ public final class SpecularPath {
         return reflected[band];
     }
 
-    /** A coordinate of the first point at which the path is reflected, m. */
+    /**
+     * A coordinate of the first point at which the path is reflected, m.
+     *
+     * @param axis 0 for x, 1 for y, 2 for z
+     */
     public double metFirst(int axis) {
         return metFirst[axis];
     }
@@ -289,6 +293,7 @@ public final class SpecularPath {
      * A component of the unit vector along which the path leaves one of its ends.
      *
      * @param side positive for the beginning, negative for the end
+     * @param axis 0 for x, 1 for y, 2 for z
      */
     public double leaving(double side, int axis) {
         return side > 0.0 ? first[axis] : -last[axis];

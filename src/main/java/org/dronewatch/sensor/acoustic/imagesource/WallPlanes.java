@@ -164,7 +164,11 @@ public final class WallPlanes {
         return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
     }
 
-    /** A component of a plane's unit normal. */
+    /**
+     * A component of a plane's unit normal.
+     *
+     * @param axis 0 for x, 1 for y, 2 for z
+     */
     public double normal(int wall, int axis) {
         return planes[NUMBERS * wall + axis];
     }

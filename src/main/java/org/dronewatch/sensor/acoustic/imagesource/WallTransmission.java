@@ -36,8 +36,8 @@ public final class WallTransmission {
      * Follows the arc of sound between two points through all that obstructs it.
      *
      * @param solids the solids within which the path begins
-     * @param curvature curvature of the arc in the direction in which the sound travels, which may be either, 1/m; 0
-     *     for a straight line
+     * @param curvature curvature of the arc, 1/m, for sound that travels from the first point to the second or the
+     *     reverse; positive if the arc bends up, 0 for a straight line
      * @return whether any of the sound arrives; {@link #isFree} and {@link #passed} then describe this path
      */
     public boolean trace(
@@ -67,8 +67,8 @@ public final class WallTransmission {
     /**
      * Follows the next arc of a path.
      *
-     * @param curvature curvature of the arc in the direction in which the sound travels, which may be either, 1/m; 0
-     *     for a straight line
+     * @param curvature curvature of the arc, 1/m, for sound that travels from the first point to the second or the
+     *     reverse; positive if the arc bends up, 0 for a straight line
      * @param one a wall that the arc does not cross, though rounding may make it seem so, or {@link WallPlanes#NONE}
      * @param other another such wall, or NONE
      * @return whether any of the sound gets to its end

@@ -55,7 +55,8 @@ public final class LevelTracer {
      *
      * @param sensor centre of the sensor, m
      * @param radius distance within which a ray must pass the sensor to be received, m
-     * @param detectionLevel the level at and above which a sound is detected, dB
+     * @param detectionLevel the level at and above which a sound is detected, dB on the calibrated scale of the level
+     *     model
      */
     public LevelTracer(LevelModel model, Position sensor, double radius, double detectionLevel, World world) {
         this.model = model;
@@ -69,7 +70,7 @@ public final class LevelTracer {
      * Takes one look.
      *
      * @param source position of the drone, m
-     * @param sourceLevel level of the drone's sound in the level model, dB
+     * @param sourceLevel level of the drone's sound, dB on the calibrated scale of the level model
      * @param fully whether to continue after the first detection
      */
     public LevelReading trace(

@@ -25,7 +25,7 @@ public final class ArcLine {
      * Sets the arc from one point to another.
      *
      * @param bending curvature of the arc, 1/m: {@link PathCurvature#along} in the direction in which the sound
-     *     travels, which may be either
+     *     travels, from the first point to the second or the reverse
      * @param isBelow whether the pieces of an arc that bends up run just below it, so that they meet a surface that the
      *     arc only grazes
      */

@@ -19,7 +19,7 @@ public final class ArcSight {
      * Whether the arc, or straight line, from one point to another is unobstructed.
      *
      * @param curvature curvature of the arc, 1/m: {@link PathCurvature#along} in the direction in which the sound
-     *     travels, which may be either; 0 for a straight line
+     *     travels, from the first point to the second or the reverse; 0 for a straight line
      */
     public boolean isFree(
             double fromX, double fromY, double fromZ, double toX, double toY, double toZ, double curvature) {

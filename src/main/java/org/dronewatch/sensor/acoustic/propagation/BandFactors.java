@@ -4,8 +4,8 @@ import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Multiplies the energies in all bands by factors, which is most of what happens to the energy of a ray. Uses vector
- * instructions where possible; without them, the results are the same, bit for bit.
+ * Multiplies the energies of a ray in all bands by factors. Uses vector instructions where possible; without them, the
+ * results are the same, bit for bit.
  */
 public final class BandFactors {
     static final int BANDS = OctaveBands.COUNT;
@@ -15,9 +15,9 @@ public final class BandFactors {
     private BandFactors() {}
 
     /**
-     * Multiplies a value in each band by a factor.
+     * Multiplies the value in each band, in place, by a factor.
      *
-     * @param row index of the first band's factor
+     * @param row index in {@code factors} of the first band's factor
      */
     public static void multiply(double[] values, double[] factors, int row) {
         if (VECTORS) {
@@ -30,12 +30,12 @@ public final class BandFactors {
     }
 
     /**
-     * Multiplies a value in each band by a factor and by {@code exp(by * exponent)}, computed as a Taylor series up to
-     * the fifth power: for arguments of a magnitude below 0.02, it is accurate to 1e-13.
+     * Multiplies the value in each band, in place, by a factor and by {@code exp(by * exponent)}, computed as a Taylor
+     * series up to the fifth power: for arguments of a magnitude below 0.02, it is accurate to 1e-13.
      *
      * @param exponents the exponent in each band
      * @param by factor by which the exponents are multiplied
-     * @param row index of the first band's factor
+     * @param row index in {@code factors} of the first band's factor
      */
     public static void multiplyByExponentials(
             double[] values, double[] exponents, double by, double[] factors, int row) {

@@ -174,7 +174,7 @@ public final class BandSurfaces {
         return anyTransmits;
     }
 
-    /** Whether a material represents a thin sheet, of which both sides count as one surface. */
+    /** Whether a material represents a sheet: a wall that is one surface, not a front and a back. */
     public boolean isSheet(int material) {
         return sheet[material];
     }

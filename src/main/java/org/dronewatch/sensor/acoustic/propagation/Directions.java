@@ -11,6 +11,8 @@ public final class Directions {
     /**
      * Sets a ray's direction to one of {@code count} directions that are spread evenly over the sphere (Fibonacci
      * lattice).
+     *
+     * @param number index of the direction, 0 to {@code count} - 1
      */
     public static void ofLattice(int number, int count, AcousticRay ray) {
         double z = 1.0 - (2.0 * number + 1.0) / count;

@@ -87,8 +87,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * An upper bound on the sum of a point's distances from the two ends of an arc, m, for a point whose sum is at most
-     * a limit in coordinates in which arcs are straight lines and the ground is raised by the {@link #sag}.
+     * An upper bound on the sum of a point's distances from the two ends of an arc, m, given an upper limit of that sum
+     * in coordinates in which arcs are straight lines and the ground is raised by the {@link #sag}.
      *
      * @param curvature 1/m
      * @param length length of the straight line, m
