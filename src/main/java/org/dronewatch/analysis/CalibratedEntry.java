@@ -35,7 +35,7 @@ import org.dronewatch.world.WorldSettings;
  * not depend on the scene.
  *
  * @param scene name of the scene whose conditions are used
- * @param run the run of the scene's sweep whose conditions are used, as text; empty if the scene has no sweep
+ * @param run description of the run of the scene's sweep whose conditions are used; empty if the scene has no sweep
  * @param settings settings of the scene, or of that run
  * @param sensor name of the sensor
  * @param drone name of the drone
@@ -184,8 +184,8 @@ public record CalibratedEntry(
     }
 
     /**
-     * In words, the greatest range for the fitted value and, if there are any, for the values next to it, in ascending
-     * order.
+     * One line of text for each value of the threshold, in ascending order, with the greatest range for that value: the
+     * fitted value and, if the threshold is a whole number, the values one below and one above it.
      */
     public static List<String> lines(Calibration fit) {
         return new TreeMap<>(fit.ranges())

@@ -60,7 +60,7 @@ public final class KernelBench {
      * Measures one set of rays, after warming up for at least a second and at least one pass.
      *
      * @param passes number of measured passes, 1 or more
-     * @param progress is called after the warm-up, and after each measured pass
+     * @param progress receives the name of the set after the warm-up, and after each measured pass
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; its interrupt status is kept
      */
     public TracingSpeed measure(RaySet set, int passes, Consumer<String> progress) {

@@ -44,12 +44,12 @@ public final class RayGenerator {
         this.up = up;
     }
 
-    /** The rays of a picture of 1024 x 768 pixels, 90 degrees wide. */
+    /** The rays of a picture of 1024 x 768 pixels with a horizontal field of view of 90 degrees. */
     public RaySet camera() {
         return camera(WIDTH, HEIGHT);
     }
 
-    /** The rays of a picture of a given size in pixels, 90 degrees wide. */
+    /** The rays of a picture of a given size in pixels with a horizontal field of view of 90 degrees. */
     public RaySet camera(int width, int height) {
         AABB box = tree.bounds();
         Point3d center = box.center();

@@ -16,11 +16,11 @@ public enum TraversalKind {
     TILES,
     /** Segments with a common origin, traced together; for other sets, as BVH. */
     FAN,
-    /** One ray at a time, ordered, with a stack. */
+    /** One ray at a time, from near to far with a stack. */
     STACK,
     /** One ray at a time, eight boxes per step with vector instructions; if these cannot be used, as STACK. */
     BVH,
-    /** One ray at a time, stackless, leaf by leaf from the root. */
+    /** One ray at a time without a stack: leaf by leaf, each found by a new descent from the root. */
     SEQUENTIAL;
 
     /** The traversal that this kind uses for a set of rays. */

@@ -26,8 +26,8 @@ import org.dronewatch.terrain.TerrainGround;
 
 /**
  * Converts the buildings on a map to solids in the world frame. Each building stands on the lowest ground below it,
- * from which its height is measured, and extends {@value #BELOW} m below that, so that no gap is left on a slope.
- * Immutable.
+ * from which its height is measured, and extends {@value #BELOW} m below this ground, so that no gap is left on a
+ * slope. Immutable.
  */
 public final class BuildingLoader {
     /** How far walls reach below the lowest ground under them, m. */

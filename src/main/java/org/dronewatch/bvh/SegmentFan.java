@@ -7,9 +7,9 @@ import org.dronewatch.kdtree.RayTracer;
 /**
  * Determines which of many segments with a common origin are blocked: the lines of sight from a sensor to many points.
  * The answers are those of {@link RayTracer#isOccluded} for each segment, except for segments that begin or end on a
- * triangle if nothing is skipped at their ends: rounding decides about these, as it does for single rays. Segments of
- * similar directions are traced together, in whatever order they are given; those that single precision cannot decide
- * are traced again, one by one. For use by one thread.
+ * triangle if nothing is skipped at their ends: rounding decides whether these are blocked, as it does for single rays.
+ * Segments of similar directions are traced together, in whatever order they are given; those that single precision
+ * cannot decide are traced again, one by one. For use by one thread.
  */
 public final class SegmentFan {
     private final RayTracer single;

@@ -12,7 +12,7 @@ import org.dronewatch.parallel.VectorInstructions;
 
 /**
  * The acceleration structures that find the triangles of a mesh along rays: its kd-tree, and a BVH for incoherent rays
- * that is built when first needed. Immutable for callers, and shared by all threads; it also keeps the BVH in memory.
+ * that is built when first needed and then kept. Immutable for callers, and shared by all threads.
  */
 public final class TracingIndex {
     private final KDTree tree;

@@ -40,7 +40,7 @@ public record Expectation(
         return variant.orElseGet(() -> plan.variants().get(0));
     }
 
-    /** Of the cases in which the outcome is known, the proportion that has it; empty if it is known for none. */
+    /** The proportion of cases with the outcome, among those in which it is known; empty if it is known for none. */
     public Optional<Proportion> proportion(CampaignPlan plan, CampaignSummary summary) {
         return summary.variants().get(variantIn(plan)).proportion(of);
     }

@@ -45,7 +45,10 @@ public final class Stopping {
         return until.map(one -> one.rule().stops(proportion())).orElse(false);
     }
 
-    /** Of the cases so far in which the outcome that the rule considers is known, the proportion that has it. */
+    /**
+     * The proportion of cases with the outcome that the rule considers, among the cases so far in which this outcome is
+     * known.
+     */
     public Proportion proportion() {
         return new Proportion(count, known);
     }

@@ -51,8 +51,8 @@ public record CatalogEntry(
     }
 
     /**
-     * A range that a manufacturer states, as this library interprets it: for a straight approach over flat grass,
-     * sensor and drone 10 m above it.
+     * A range that a manufacturer states, as this library interprets it: for a straight approach over flat grass, with
+     * the sensor and the drone 10 m above it.
      *
      * @param distance the range, m
      * @param target description of the target
@@ -69,7 +69,7 @@ public record CatalogEntry(
             Limits.check(PublishedRange.class, distance, target, drone, world);
         }
 
-        /** A range for the small quadrotor in a quiet world. */
+        /** A range, m, for the small quadrotor in a quiet world. */
         @Defaults({"distance", "target"})
         public static PublishedRange of(double distance, String target) {
             return new PublishedRange(distance, target, Optional.empty(), Optional.empty());

@@ -108,7 +108,10 @@ public final class Drone {
         return new Drone(id, settings, mesh, next, velocity, gliding);
     }
 
-    /** This drone in a given state of its flight: its model unscaled, rotated by the {@link Attitude}. */
+    /**
+     * This drone in a given state of its flight: at that position, with that velocity and its motors running or not,
+     * its model unscaled and rotated by the {@link Attitude}.
+     */
     public Drone at(FlightState state) {
         Attitude attitude = state.attitude();
         Matrix4d pose = new Matrix4d();

@@ -1,9 +1,9 @@
 package org.dronewatch.drone;
 
 /**
- * A class of drones with a measured distribution of the radar cross-section: log-normal from look to look. The figures
- * are those of 3GPP TR 38.901 version 19, section 7.9.2.1. The mean is taken over the cross-section in m2, not over its
- * value in decibels.
+ * A class of drones with a measured distribution of the radar cross-section, which is log-normal and fluctuates from
+ * look to look. The figures are those of 3GPP TR 38.901 version 19, section 7.9.2.1. The mean is taken over the
+ * cross-section in m2, not over its value in decibels.
  */
 public enum DroneClass {
     /** A small unmanned aircraft, such as the quadrotor of the library: 0.0524 m2 (-12.81 dBsm), spread 3.74 dB. */

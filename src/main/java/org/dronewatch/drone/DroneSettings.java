@@ -43,8 +43,8 @@ import org.dronewatch.world.World;
  * @param heat its thermal signature
  * @param radio how it is controlled, and which radio signals can be received
  * @param soundLevel source level for the simple attenuation model (the level model), dB on the calibrated scale of that
- *     model: only air and surfaces reduce it, and without geometrical spreading it has no reference distance; 50 to 55
- *     in the thesis on which this project is based
+ *     model; only air and surfaces reduce it, not geometrical spreading, so it has no reference distance; 50 to 55 in
+ *     the thesis on which this project is based
  * @param soundPowerLevel A-weighted sound power level for the energy model, dB re 1 pW; about 85 for a real quadrotor
  * @param glideReduction reduction of its sound level with the motors off, when only airflow is heard, 0 to 100 dB
  * @param sound name of the spectrum in the library's table, such as {@code c1-quadrotor}; if {@code spectrum} is set,

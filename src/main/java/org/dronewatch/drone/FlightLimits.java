@@ -76,8 +76,8 @@ public record FlightLimits(
     }
 
     /**
-     * These limits for flights whose corners represent turns, such as those of routes: without a limit to the rate of
-     * turn.
+     * These limits without a limit on the rate of turn, for flights whose corners stand for rounded turns, such as
+     * those along routes.
      */
     public FlightLimits turningInstantly() {
         return new FlightLimits(

@@ -16,7 +16,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param fluctuation fluctuation of the cross-section: none (steady), from look to look (swerling-1 and swerling-3),
  *     or from pulse to pulse (swerling-2 and swerling-4)
  * @param aspects aspect-dependent cross-section relative to the mean, dB: values at equal steps of azimuth, clockwise
- *     from the nose as seen from above; 1 to 360 of them, a single one if it is the same for all aspects
+ *     from the nose as seen from above; 1 to 360 of them, a single one if the cross-section is the same for all aspects
  * @param spread standard deviation in decibels of a cross-section that is log-normally distributed from look to look,
  *     above 0 and at most 20 dB; omit it to use {@code fluctuation}
  * @param droneClass a class of drones, which sets {@code crossSection} and {@code spread}; omit it to state these
@@ -124,7 +124,7 @@ public record RadarSignature(
         return SettingsForm.with(this, "rotorLevel", Optional.of(decibels));
     }
 
-    /** The fraction of the cross-section due to its rotors while they turn, 0 to 0.5. */
+    /** The fraction of the cross-section that is due to the drone's rotors while they turn, 0 to 0.5. */
     public double rotorFraction() {
         return rotorLevel
                 .map(level -> 1.0 / (1.0 + Math.pow(10.0, 0.1 * level)))

@@ -36,11 +36,14 @@ public record RadioLink(
 
     /** A type of control of a drone. */
     public enum Control {
-        /** A pilot who controls the drone by radio, and to whom it sends video and telemetry. */
+        /** A pilot who controls the drone by radio, and to whom the drone sends video and telemetry. */
         RADIO,
-        /** No pilot: it flies as programmed, and transmits nothing. */
+        /** No pilot: the drone flies as programmed, and transmits nothing. */
         AUTONOMOUS,
-        /** A pilot who controls the drone over an optical fibre that it pays out: it transmits nothing either. */
+        /**
+         * A pilot who controls the drone over an optical fibre that the drone pays out as it flies; it transmits
+         * nothing, either.
+         */
         FIBRE
     }
 

@@ -5,13 +5,13 @@ import org.dronewatch.sound.BandLevels;
 import org.dronewatch.sound.Tone;
 
 /**
- * A model of the sound that a drone radiates, given its settings and its flight; its propagation is left to the
+ * A model of the sound that a drone radiates, given its settings and its flight; how the sound travels is left to the
  * propagation model of each microphone. Implementations are immutable records, and may be called by any thread;
  * {@link org.dronewatch.setting.Kind} explains how scene files can choose a new one. They are given the drone as it was
  * when the sound left it: its velocity, its attitude, and whether its motors run.
  *
- * <p>Each emission defines the meaning of a drone's sound settings. One that changes only the level can take the rest
- * from {@link SteadyEmission}; the dependence on direction is always set by {@code directivity}.
+ * <p>Each emission defines the meaning of a drone's sound settings. An emission that changes only the level can take
+ * the rest from {@link SteadyEmission}; the dependence on direction is always set by {@code directivity}.
  */
 public interface SoundEmission {
 
@@ -32,8 +32,8 @@ public interface SoundEmission {
     BandLevels soundPower(Drone drone);
 
     /**
-     * The source level for the level model, dB: unless overridden, that of the settings, less the glide reduction when
-     * the motors are off. Always finite.
+     * The source level for the level model, dB on the calibrated scale of that model: unless overridden, that of the
+     * settings, less the glide reduction when the motors are off. Always finite.
      *
      * @param drone the drone, as it was when the sound left it
      */

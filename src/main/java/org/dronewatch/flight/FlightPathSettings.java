@@ -34,8 +34,8 @@ public interface FlightPathSettings {
     FlightPath create(double speed, double acceleration, Ground ground);
 
     /**
-     * Whether the drone turns instantly at the corners of its path. Each corner then represents a turn for which the
-     * legs are long enough.
+     * Whether the drone turns instantly at the corners of its path. Each corner then stands for a rounded turn, for
+     * which the legs are assumed to be long enough; the rate of turn is not checked.
      */
     default boolean turnsInstantly() {
         return false;
@@ -207,7 +207,7 @@ public interface FlightPathSettings {
     }
 
     /**
-     * A level circle, clockwise as seen from above.
+     * A flight in a level circle, clockwise as seen from above, nose first and at cruise speed.
      *
      * @param centre centre of the circle, m
      * @param radius radius of the circle, 0.1 to 100,000 m

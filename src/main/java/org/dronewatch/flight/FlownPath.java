@@ -28,7 +28,10 @@ public interface FlownPath extends FlightPath {
                 : new Position(0, 0, 0);
     }
 
-    /** The given path as one that consists of legs, without the drone's tilt; empty if it does not consist of legs. */
+    /**
+     * The given path as one that consists of legs, whose attitudes do not include the tilt of an accelerating drone;
+     * empty if the path does not consist of legs.
+     */
     static Optional<FlownPath> in(FlightPath path) {
         if (path instanceof LeaningPath leaning) {
             return in(leaning.path());

@@ -42,11 +42,11 @@ public final class Legs {
     }
 
     /**
-     * The legs of a flight. If the flight consists of legs, those legs are returned, without the drone's tilt. Any
-     * other flight is sampled at equal time steps: samples on a straight line at constant speed are joined into one
-     * leg, which is exact except for rounding. In a bend, or with an acceleration a, the flight is divided at each
-     * step, and the position between two samples is off by at most {@code a step^2 / 8}. The last leg begins at the end
-     * of the known flight, so that the legs also state that end.
+     * The legs of a flight. If the flight consists of legs, those legs are returned; their attitudes do not include the
+     * tilt of an accelerating drone. Any other flight is sampled at equal time steps: samples on a straight line at
+     * constant speed are joined into one leg, which is exact except for rounding. In a bend, or with an acceleration a,
+     * the flight is divided at each step, and the position between two samples is off by at most {@code a step^2 / 8}.
+     * The last leg begins at the end of the known flight, so that the legs also state that end.
      *
      * @param path the flight
      * @param until end of the known flight, seconds since the start of the run

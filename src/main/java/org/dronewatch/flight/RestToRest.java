@@ -2,7 +2,7 @@ package org.dronewatch.flight;
 
 /**
  * A motion over a distance from rest to rest: constant acceleration, cruise, constant deceleration. Over a short
- * distance the cruise speed is not reached.
+ * distance, the greatest speed is not reached.
  */
 public final class RestToRest {
     private final double length;

@@ -183,7 +183,10 @@ public final class SteeredFlight implements FlownPath {
         return now;
     }
 
-    /** The given path as a steered flight, without the drone's tilt; empty for any other path. */
+    /**
+     * The given path as a steered flight, whose attitudes do not include the tilt of an accelerating drone; empty for
+     * any other path.
+     */
     public static Optional<SteeredFlight> in(FlightPath path) {
         return FlownPath.in(path).filter(SteeredFlight.class::isInstance).map(SteeredFlight.class::cast);
     }

@@ -53,7 +53,7 @@ public sealed interface AlertRule
      * An alert as soon as several sensors detect the drone, each with the required confirmation.
      *
      * @param count number of sensors, 1 to 1000
-     * @param within time within which they must detect it, 0 to 3600 s
+     * @param within time within which these sensors must detect the drone, 0 to 3600 s
      * @param gate maximum difference between the bearings of two sensors' false alarms that count as one drone, 0 to
      *     pi rad (180 degrees); a sensor that measures no bearing agrees with any. The gate has no effect on drones
      */
@@ -70,7 +70,7 @@ public sealed interface AlertRule
         }
 
         /**
-         * A rule with a gate of 10 degrees, an assumption: about the difference between the bearings to a drone at
+         * A rule with a gate of 10 degrees, which is assumed: about the difference between the bearings to a drone at
          * 300 m from two sensors 50 m apart.
          */
         public SeveralSensors(int count, double within) {

@@ -42,8 +42,8 @@ public final class CoordinateReferenceSystem {
     /**
      * A system by its code.
      *
-     * @param code such as {@code EPSG:25832}, in upper or lower case, or its URN or URL in a file; longitude and
-     *     latitude may also be named {@code OGC:CRS84}
+     * @param code such as {@code EPSG:25832}, in upper or lower case, or the URN or URL by which a file states it;
+     *     longitude and latitude may also be named {@code OGC:CRS84}
      * @throws InputException when this is not a code, or the system is not in PROJ4J's register, or is neither a grid
      *     nor longitude and latitude
      */

@@ -13,8 +13,9 @@ import org.dronewatch.setting.Quantity;
  *
  * @param latitude latitude, north of the equator, rad
  * @param longitude longitude, east of Greenwich, rad
- * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
- * @param height height above sea level, measured from the same level as the height of the origin, -100 to 100 km, m
+ * @param above height above the highest surface there (ground, roof or tree), 0 to 100,000, m
+ * @param height height above sea level, measured from the same level as the height of the origin, -100,000 to
+ *     100,000, m
  */
 public record EarthPlace(
         @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double latitude,

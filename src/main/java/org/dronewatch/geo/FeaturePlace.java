@@ -15,8 +15,9 @@ import org.dronewatch.setting.Quantity;
  * @param feature name of a point in a GeoJSON or KML file
  * @param file the GeoJSON or KML file; by default the one next to the scene file, with the same name but ending in
  *     {@code .geojson} or {@code .kml}
- * @param above height above the highest surface there (ground, roof or tree), 0 to 100 km, m
- * @param height height above sea level, measured from the same level as the height of the origin, -100 to 100 km, m
+ * @param above height above the highest surface there (ground, roof or tree), 0 to 100,000, m
+ * @param height height above sea level, measured from the same level as the height of the origin, -100,000 to
+ *     100,000, m
  */
 public record FeaturePlace(
         String feature,

@@ -5,8 +5,8 @@ import org.dronewatch.geometry.Position;
 /**
  * Converts positions in the world frame (x east, y north, z up, m) to latitude and longitude on the WGS 84 ellipsoid,
  * and back. At the scene's origin the frame is tangent to a surface that lies above the ellipsoid by the origin's
- * height; an origin without a known height is assumed to lie on the ellipsoid. If the origin's true height is 1000 m,
- * this moves a point 1 km away by 0.16 m on the map.
+ * height; an origin without a known height is assumed to lie on the ellipsoid. If its true height is 1000 m, this
+ * assumption displaces a point 1 km away by 0.16 m on the map.
  *
  * <p>East, north and up are converted to earth-centred coordinates without any approximation, and these to latitude and
  * longitude (IOGP Publication 373-7-2, Geomatics Guidance Note 7, part 2, methods 9837 and 9602). The formula for the

@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
  * A point in plan view in the world frame, which scene files may give instead of a pair of coordinates: {@code {east:
  * 120 m, north: -40 m}}.
  *
- * @param east distance east of the origin, -100 to 100 km, m
- * @param north distance north of the origin, -100 to 100 km, m
+ * @param east distance east of the origin, -100,000 to 100,000, m
+ * @param north distance north of the origin, -100,000 to 100,000, m
  */
 public record LocalPoint(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,

@@ -16,7 +16,7 @@ public final class IntersectionHandler {
     /**
      * The hit of a ray on a triangle, from either side, after Möller and Trumbore, "Fast, minimum storage ray/triangle
      * intersection" (1997). The determinant is compared with zero only: an absolute tolerance would miss small
-     * triangles, and culling would miss those that face away.
+     * triangles, and culling would miss triangles that face away.
      *
      * @return the hit; empty if the ray misses, is parallel to the triangle, or meets it outside the ray's range
      */

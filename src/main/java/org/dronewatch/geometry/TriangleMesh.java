@@ -51,7 +51,12 @@ public final class TriangleMesh {
         checkRange("material", this.materials, materialNames.size());
     }
 
-    /** A mesh of one unnamed material, whose triangles are numbered in the given order. */
+    /**
+     * A mesh of one unnamed material, whose triangles are numbered in the given order.
+     *
+     * @param vertices x, y, z of each vertex in turn, m
+     * @param corners three vertex numbers per triangle, from 0
+     */
     public static TriangleMesh of(float[] vertices, int[] corners) {
         int triangles = corners.length / 3;
         int[] numbers = new int[triangles];

@@ -53,7 +53,7 @@ public final class EllipsoidQuery {
     }
 
     /**
-     * Finds the triangles near an ellipsoid that also reach a plane through its foci.
+     * Finds the triangles that are near an ellipsoid and also reach a plane through its foci.
      *
      * @param a one focus, m
      * @param b the other focus, m

@@ -8,8 +8,8 @@ package org.dronewatch.kdtree;
  * <p>The original finds the next leaf by a point at a fixed distance behind the face through which the ray leaves. That
  * skips thin cells and stalls at large coordinates. A point just behind the face does neither, but if the ray leaves
  * through an edge or a corner, or runs inside a plane, rounding alone decides in which of the adjacent cells that point
- * lies, and the others are skipped. Here the next leaf is defined by the leaf just tested: it is the first after that
- * one along the ray.
+ * lies, and the others are skipped. Here the next leaf is the first one that follows the leaf just tested in the order
+ * of the leaves along the ray.
  *
  * <p>The leaves along a ray, and their order, depend on the tree and the ray alone. A child lies along the ray if the
  * ray's range inside it, widened by more than the rounding errors of its ends, is not empty; of two children, the one

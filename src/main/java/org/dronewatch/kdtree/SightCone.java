@@ -3,9 +3,9 @@ package org.dronewatch.kdtree;
 import org.dronewatch.geometry.Position;
 
 /**
- * Determines whether all lines of sight from a point to a sphere are clear of the triangles of a tree, by a single
- * descent: whether no triangle comes near a pyramid that has its apex at the point and contains these lines. Remembers
- * its most recent answer. For use by one thread.
+ * Determines whether all lines of sight from a point to a sphere are clear of the triangles of a tree. A single descent
+ * of the tree checks that no triangle comes near a pyramid that has its apex at the point and contains these lines.
+ * Remembers its most recent answer. For use by one thread.
  */
 public final class SightCone {
     /** Four sides, one through the point, and one behind the sphere. */

@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 /**
  * The inside of a church: a nave under a pointed vault between two aisles, an apse at the east end, piers, arches,
  * ribs, windows, pews, an altar and an organ. The walls, vaults and floor form one closed surface that faces inward;
- * everything that stands in the church consists of closed solids. The nave runs from west (-x) to east; its floor is at
- * height 0, its middle at the origin.
+ * everything that stands in the church consists of closed solids. The nave runs from west (-x) to east; the middle of
+ * its floor is at the origin.
  */
 public final class CathedralModel {
     /** Half the length of nave and aisles, metres; the apse reaches {@link #NAVE_HALF_WIDTH_METRES} farther east. */

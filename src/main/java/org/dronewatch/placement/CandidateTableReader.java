@@ -14,7 +14,8 @@ import org.dronewatch.setting.PlainText;
  * Reads a table of candidates from two CSV files. The first has the column {@code name} and, optionally, {@code cost}
  * (1 by default), {@code kind}, {@code exclusive} and {@code fixed} ({@code true} or {@code false}). The second has the
  * columns {@code row}, {@code candidate}, {@code value} and, optionally, {@code weight} (1 by default), with a line for
- * each value that is not 0. A line without a candidate gives the impact in its row if no candidate detects anything.
+ * each value that is not 0. A line without a candidate gives the impact (such as damage) in its row for the case that
+ * no chosen candidate detects anything.
  */
 public final class CandidateTableReader {
     private static final String NAME = "name";

@@ -14,7 +14,7 @@ public final class SearchEnd {
     public static final double GRACE = 5.0;
 
     /**
-     * How long after the time limit of a search further work that depends on its result may go on, s: the coverage of
+     * How long, after the time limit of a search, further work that depends on its result may go on, s: the coverage of
      * the layout, flights along the routes past it, and attacks.
      */
     public static final double FOLLOW_UP = 10.0;

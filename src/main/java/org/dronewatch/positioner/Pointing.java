@@ -13,7 +13,12 @@ import java.util.OptionalInt;
  */
 public record Pointing(Direction direction, double panRate, double tiltRate, double fov, OptionalInt contact) {
 
-    /** The pointing of a positioner that does not move. */
+    /**
+     * The pointing of a positioner that does not move.
+     *
+     * @param fov field of view, rad
+     * @param contact number of the contact that the positioner follows; empty while it searches
+     */
     public static Pointing still(Direction direction, double fov, OptionalInt contact) {
         return new Pointing(direction, 0.0, 0.0, fov, contact);
     }

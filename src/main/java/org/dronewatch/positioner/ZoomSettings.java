@@ -9,9 +9,10 @@ import org.dronewatch.setting.Quantity;
  * A lens that zooms in on the drone that the camera tracks. While the positioner searches, the lens has the sensor's
  * own field of view.
  *
- * @param cued field of view while another sensor cues it: wide enough for that sensor's errors, 0.01 to 179 degrees
- *     expressed in rad
- * @param tracked field of view while the positioner's own camera tracks the drone, 0.01 to 179 degrees expressed in rad
+ * @param cued field of view while another sensor cues it: wide enough for that sensor's errors, pi/18000 to 3.124 rad
+ *     (0.01 to 179 degrees)
+ * @param tracked field of view while the positioner's own camera tracks the drone, pi/18000 to 3.124 rad (0.01 to 179
+ *     degrees)
  * @param time time to zoom from the sensor's own field of view to the narrowest, 0 to 60 s
  */
 public record ZoomSettings(
@@ -27,7 +28,7 @@ public record ZoomSettings(
         }
     }
 
-    /** A lens that takes two seconds for the full zoom. */
+    /** A lens with the given fields of view, rad, that takes two seconds for the full zoom. */
     @Defaults({"cued", "tracked"})
     public static ZoomSettings of(double cued, double tracked) {
         return new ZoomSettings(cued, tracked, 2.0);

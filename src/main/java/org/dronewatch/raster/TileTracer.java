@@ -12,9 +12,9 @@ import org.dronewatch.parallel.VectorInstructions;
  * into the tile; the nearest surface wins. For use by one thread.
  *
  * <p>A separate ray costs a descent and several triangle tests, a pixel of a tile only a few additions. Tiles are
- * faster unless triangles are much smaller than pixels: a tile that has met eight times as many
- * triangles as it has pixels is traced ray by ray instead. Cells that lie behind the triangles found for all pixels, or
- * between the centres of the pixels, are skipped.
+ * faster unless triangles are much smaller than pixels: a tile that has met eight times as many triangles as it has
+ * pixels is traced ray by ray instead. Cells that lie behind the triangles found for all pixels, or between the centres
+ * of the pixels, are skipped.
  */
 public final class TileTracer {
     /** The largest number of columns of a tile. */
@@ -94,8 +94,8 @@ public final class TileTracer {
      * Sets the image whose tiles are traced next. The ray of the pixel in a column and a row starts at the origin in
      * the direction corner + column * right + row * down.
      *
-     * @param from the origin, three coordinates
-     * @param corner direction of the pixel in column 0 and row 0
+     * @param from x, y and z of the origin, m
+     * @param corner direction of the ray of the pixel in column 0 and row 0, not necessarily of unit length
      * @param right change of the direction per column
      * @param down change of the direction per row
      * @throws IllegalArgumentException when corner, right and down lie in one plane

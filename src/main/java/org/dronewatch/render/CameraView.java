@@ -47,7 +47,8 @@ public final class CameraView {
      *
      * @param id id of the camera in its scene
      * @param sensor settings of an imaging sensor
-     * @param pointings gives the pointing of its positioner at a time; empty for a camera on a fixed mount
+     * @param pointings gives the pointing of the camera's positioner at a time, s since the start of the run; an empty
+     *     result for a camera on a fixed mount
      * @throws IllegalArgumentException if the sensor takes no pictures
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {

@@ -2,9 +2,9 @@ package org.dronewatch.render;
 
 /** The resolution at which a site is painted: coarse while the view moves, fine at rest. */
 public enum Fineness {
-    /** One ray per sixteen pixels, and not all sound rays. */
+    /** One ray per sixteen pixels; not all sound rays are drawn. */
     COARSE(1, 4, false, 10_000),
-    /** One ray per four pixels, and not all sound rays. */
+    /** One ray per four pixels; not all sound rays are drawn. */
     DRAFT(1, 2, false, 20_000),
     /** One ray per pixel. */
     PLAIN(1, 1, false, Integer.MAX_VALUE),

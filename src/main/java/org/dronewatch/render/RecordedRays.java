@@ -82,7 +82,11 @@ public final class RecordedRays {
         return ends[ENDS * piece + which];
     }
 
-    /** The level at the end of a segment, dB on the calibrated scale of the level model. */
+    /**
+     * The level of a segment, as {@link org.dronewatch.sensor.RayRecorder#record} receives it: in the level model, at
+     * the end of the segment, dB on the calibrated scale of that model; in the energy model, the level of the sound
+     * power that the ray carries at the start of the segment, dB re 1 pW.
+     */
     public float level(int piece) {
         return levels[piece];
     }

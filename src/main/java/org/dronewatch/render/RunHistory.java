@@ -40,8 +40,8 @@ public final class RunHistory implements SceneListener {
     }
 
     /**
-     * The pointing of a sensor's positioner at its last look at or before a time; empty for a sensor on a fixed mount,
-     * and before the first look.
+     * The pointing of a sensor's positioner at the sensor's last look at or before a time; empty for a sensor on a
+     * fixed mount, and before the first look.
      *
      * @param time seconds since the start of the run
      */

@@ -102,7 +102,7 @@ public final class SitePicture {
         return new SiteState(title, time, sensorMarks, droneMarks, selected, rays);
     }
 
-    /** The box of interest: all sensors and all flights, with a margin; without a flight, also the whole site, m. */
+    /** The box of interest, m: all sensors and all flights, with a margin; without a flight, also the whole site. */
     public AABB interest() {
         if (!drones.isEmpty()) {
             return flights.interest(settings);
@@ -113,8 +113,8 @@ public final class SitePicture {
     }
 
     /**
-     * The box that a picture of the site frames: the box of interest, enlarged to include cameras' fields of view to
-     * the length to which they are drawn, and the protected zones, m.
+     * The box that a picture of the site frames, m: the box of interest, enlarged to include the protected zones and
+     * the cameras' fields of view, up to the length to which these are drawn.
      */
     public AABB frame() {
         AABB interest = interest();
@@ -157,6 +157,8 @@ public final class SitePicture {
     /**
      * The cut that removes the upper part of the site, so that the sensors and drones at the given time are visible
      * from above; empty unless most of them are under a roof.
+     *
+     * @param time seconds since the start of the run
      */
     public Optional<Cut> openRoof(double time) {
         List<Drone> drones = stage.dronesAt(time);

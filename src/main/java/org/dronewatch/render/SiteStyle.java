@@ -31,7 +31,7 @@ public record SiteStyle(
         this(scale, labels, outlines, flights, filter, Optional.empty(), SiteLines.NONE);
     }
 
-    /** This style on a screen of another density. */
+    /** This style with another {@link #scale}. */
     public SiteStyle withScale(double density) {
         return SettingsForm.with(this, "scale", density);
     }

@@ -12,8 +12,8 @@ import org.dronewatch.report.file.Table;
 import org.knowm.xchart.XYChart;
 
 /**
- * Writes cost curves, each as a table and a plot. The axes are logarithmic, with two exceptions: plots over numbers of
- * threads have linear axes, and costs that differ by at most a factor of two have a linear axis.
+ * Writes cost curves, each as a table and a plot. The axes are logarithmic, with two exceptions: plots versus the
+ * number of threads have linear axes, and costs that differ by at most a factor of two have a linear axis.
  */
 public final class CostReport {
     /** Format of the numbers at logarithmic axes, which would otherwise be shown as 1E4. */

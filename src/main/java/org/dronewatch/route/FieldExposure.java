@@ -18,8 +18,9 @@ import org.dronewatch.sensor.Cause;
  * The rates of detection that follow from a detection field of single looks, in one mode of flight. At the centre of a
  * cell, the rate of a sensor follows from the probability of detection in a look there and the number of looks per
  * second ({@link org.dronewatch.sensor.Chance#hazard}); between the centres of eight cells, at two neighbouring heights
- * of the field above the ground, rates are interpolated (trilinearly), so that no route profits from a jump of the rate
- * at the boundary of a cell that no sensor sees. The rates are 0 where a drone cannot be, since no route leads there.
+ * of the field above the ground, rates are interpolated (trilinearly), so that no route exploits a step in the rate at
+ * a cell boundary, which is an artefact of the grid. The rates are 0 where a drone cannot be, since no route leads
+ * there.
  */
 public final class FieldExposure implements ExposureField {
     /** The value at which the probability of detection in a look is capped, so that all exposures are finite. */
@@ -186,8 +187,8 @@ public final class FieldExposure implements ExposureField {
     }
 
     /**
-     * {@inheritDoc} The bound is the least rate on any course except hovering, in any cell that a drone can enter and
-     * that may contribute to the rate at a point of the box; 0 if there is no such cell.
+     * {@inheritDoc} The bound is the least rate on any course except hovering, in any cell that may contribute to the
+     * rate at a point of the box; 0 if a drone cannot be in one of these cells.
      */
     @Override
     public double least(Position low, Position high, int number) {

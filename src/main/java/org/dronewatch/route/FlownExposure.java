@@ -8,8 +8,8 @@ import java.util.OptionalDouble;
 
 /**
  * How exposed a drone is on a route as it is flown: the exposure to every look that the sensors take, assessed at the
- * drone's position at that moment rather than in a cell of a field. The route begins at several equally likely moments
- * within the period of the slowest scan: probabilities are means over these moments.
+ * drone's position at the moment of the look rather than in a cell of a field. The route begins at several equally
+ * likely moments within the period of the slowest scan: probabilities are means over these moments.
  *
  * @param flights for each of these moments, the looks that may detect the drone, in order of time; there must be at
  *     least one moment

@@ -100,8 +100,8 @@ public record RouteProfile(List<RoutePoint> points) {
     }
 
     /**
-     * The median time of the first detection among the flights on which there is one, s since the start; empty if the
-     * drone cannot be detected.
+     * The median time of the first detection, given that there is one, s since the start; empty if the drone cannot be
+     * detected.
      */
     public OptionalDouble medianDetection() {
         double all = detection();

@@ -15,7 +15,7 @@ import org.dronewatch.route.search.WeakestRoute;
  * every look along the route has been assessed, as flown.
  *
  * @param sector number of the sector, clockwise from 0 for the north
- * @param route the route, with bounds on the exposure that counts
+ * @param route the route, with bounds on its exposure while a detection still counts ({@link #counted})
  * @param searched profile of the whole route, with the exposure in the cells of the search
  * @param bySensor exposure to each sensor along the whole route, in the cells of the search, in the order of the scene
  * @param causes what keeps the sensors from detecting the drone, according to the search

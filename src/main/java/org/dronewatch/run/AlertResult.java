@@ -44,8 +44,8 @@ public record AlertResult(
     }
 
     /**
-     * The time from {@code firstSight} to the alert, s: 0 if the drone was heard or partly seen before that; empty
-     * without a first sight or an alert.
+     * The time from {@code firstSight} to the alert, s: 0 if the alert preceded the first sight, since the drone was
+     * heard or partly seen before; empty without a first sight or an alert.
      */
     public OptionalDouble timeToAlert() {
         return alert.isPresent() && firstSight.isPresent()

@@ -11,8 +11,8 @@ import org.dronewatch.sensor.Observation;
 
 /**
  * The intervals during which each sensor detects a drone in one run, from the event in which the sensor gains detection
- * of the drone to that in which it loses it. Times are times of reception: sound counts from its arrival at the sensor.
- * Events are added in order of time. Not thread-safe.
+ * of the drone to the event in which it loses detection. Times are times of reception: sound counts from its arrival at
+ * the sensor. Events are added in order of time. Not thread-safe.
  */
 public final class DetectionIntervals {
     private final Map<List<String>, List<DetectionEvent>> ofPairs = new HashMap<>();

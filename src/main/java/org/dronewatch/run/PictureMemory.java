@@ -5,8 +5,8 @@ import org.dronewatch.sensor.Imaging;
 import org.dronewatch.setting.InputException;
 
 /**
- * Checks whether the depth buffers of a scene's cameras fit on the heap: each stores the distance to the site for every
- * pixel.
+ * Checks whether the depth buffers of a scene's cameras fit on the heap: each stores, for every pixel, the distance to
+ * the nearest surface of the site.
  */
 public final class PictureMemory {
     private static final int MEBIBYTE = 1 << 20;

@@ -20,7 +20,7 @@ public final class Pointings {
      * A record of the pointings at the last look in each interval, so that memory stays bounded: {@link #at} is exact
      * at whole multiples of the interval.
      *
-     * @param interval s; 0 for every look
+     * @param interval the interval, s; 0 for every look
      */
     public Pointings(double interval) {
         this.interval = interval;

@@ -20,8 +20,9 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * Writes the JSON Schema (draft 2020-12) of scene files, with which editors complete and check them, from the settings
- * records of all kinds on the class path. Each object writes a single schema, and is for use by one thread.
+ * Writes the JSON Schema (draft 2020-12) of scene files, with which editors complete and check these files; it is
+ * derived from the settings records of all kinds on the class path. Each object writes a single schema, and is for use
+ * by one thread.
  */
 public final class SceneSchema {
     private static final String DEFINITIONS = "#/$defs/";

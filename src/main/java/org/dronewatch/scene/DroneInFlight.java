@@ -16,7 +16,7 @@ import org.dronewatch.setting.InputException;
 /**
  * A drone during a run, at the simulator's time: its state, and commands if its flight is {@code steered}. A command
  * takes effect now and holds until the next one. Between two commands, velocity and attitude are constant, and the
- * position follows from the velocity; only a drone that {@link #flyTo} sent to a point stops there. If several commands
+ * position follows from the velocity; only a drone sent to a point by {@link #flyTo} stops there. If several commands
  * have the same time, the last one takes effect. A command that a listener gives in response to an observation takes
  * effect just after the look of that observation.
  *

@@ -15,7 +15,7 @@ public final class GivenScene extends Scene {
      * A scene.
      *
      * @param name name of the scene in results and in the titles of windows
-     * @param directory against which file names in the settings are resolved
+     * @param directory directory against which file names in the settings are resolved
      * @param settings complete settings, positions included
      */
     public GivenScene(String name, Path directory, SceneSettings settings) {

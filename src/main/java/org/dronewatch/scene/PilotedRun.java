@@ -43,11 +43,11 @@ public final class PilotedRun {
 
     /**
      * Schedules an action later in the run, before the sensors take their looks at that time. An action due after the
-     * end of the run is dropped, so an action may keep rescheduling itself; the runner warns if a pilot schedules such
-     * an action when it begins.
+     * end of the run is dropped, so an action may keep rescheduling itself; the runner warns if an action that a pilot
+     * schedules at the start of the run is due after its end.
      *
      * @param seconds simulated time from now, 0 or more, s
-     * @throws InputException when negative or not a number, or the action is null
+     * @throws InputException when {@code seconds} is negative or not a number, or the action is null
      */
     public void after(double seconds, Runnable action) {
         if (!(seconds >= 0.0)) {
@@ -133,7 +133,7 @@ public final class PilotedRun {
      * Writes the flights of all drones so far in the format of {@code flights.csv}, from which flights of the kind
      * {@code recorded} repeat them.
      *
-     * @param file a file of that name is replaced
+     * @param file the file to be written; an existing file is replaced
      * @throws InputException when the file cannot be written
      */
     public void writeFlights(Path file) {

@@ -325,7 +325,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
      * Writes the flights of all drones so far in the current run, in the format of {@code flights.csv}: for DSOL models
      * that use this scene. Flights of the kind {@code recorded} repeat them.
      *
-     * @param file a file of that name is replaced
+     * @param file the file to be written; an existing file is replaced
      * @throws org.dronewatch.setting.InputException when the file cannot be written
      * @throws IllegalStateException when the scene is not running
      */

@@ -81,7 +81,7 @@ public final class SceneRunner {
     /**
      * Sets the number of worker threads used to evaluate the sensors.
      *
-     * @throws IllegalArgumentException when below 1 or above 1024
+     * @throws IllegalArgumentException when {@code number} is below 1 or above 1024
      */
     public SceneRunner threads(int number) {
         if (number < 1 || number > Workers.MAX_THREADS) {
@@ -169,7 +169,7 @@ public final class SceneRunner {
      * Ends each run after the looks at this time; up to then, the results are those of the whole run.
      *
      * @param seconds simulated time since the start of the run, 0 or more; beyond the duration it changes nothing
-     * @throws IllegalArgumentException when negative or not a number
+     * @throws IllegalArgumentException when {@code seconds} is negative or not a number
      */
     public SceneRunner until(double seconds) {
         if (!(seconds >= 0.0)) {

@@ -102,8 +102,8 @@ public record Assessment(Signal signal, Explanation explanation) {
     }
 
     /**
-     * The limit of range, m, of radial speed, m/s, or of the carrier's frequency, Hz, that the drone violates; empty
-     * for causes without such a limit, and where the limit is unknown.
+     * The limit that the drone violates: a range, m, a radial speed, m/s, or a carrier frequency, Hz; empty for causes
+     * without such a limit, and where the limit is unknown.
      */
     public OptionalDouble limit() {
         return explanation.limit();

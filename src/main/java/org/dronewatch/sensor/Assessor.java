@@ -87,8 +87,8 @@ public final class Assessor {
 
     /**
      * Bounds that hold at every heading in this assessor's world; see {@link BoundingSensor#boundAtAllHeadings}. Empty
-     * for sensors of other kinds. Where the ground below the line of sight is not known everywhere, the cause is
-     * {@link Cause#UNKNOWN}, with a probability of 0.
+     * for a sensor that is not a {@link BoundingSensor}. Where the ground below the line of sight is not known
+     * everywhere, the cause is {@link Cause#UNKNOWN}, with a probability of 0.
      */
     public Optional<AssessmentBounds> boundAtAllHeadings(Drone drone, Position at, Optional<Pointing> pointing) {
         if (!(sensor instanceof BoundingSensor bounding)) {
@@ -100,8 +100,8 @@ public final class Assessor {
     }
 
     /**
-     * Bounds for a state of a drone in this assessor's world; see {@link BoundingSensor#bound}. Sensors of other kinds
-     * and unknown ground are treated as in {@link #boundAtAllHeadings}.
+     * Bounds for a state of a drone in this assessor's world; see {@link BoundingSensor#bound}. Sensors that are not a
+     * {@link BoundingSensor} and unknown ground are treated as in {@link #boundAtAllHeadings}.
      */
     public Optional<AssessmentBounds> bound(
             Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps) {
@@ -120,7 +120,7 @@ public final class Assessor {
 
     /**
      * An upper bound on the margin of a drone in this assessor's world, dB; see
-     * {@link BoundingSensor#greatestMarginDb}. Infinity for sensors of other kinds.
+     * {@link BoundingSensor#greatestMarginDb}. Infinity for a sensor that is not a {@link BoundingSensor}.
      */
     public double greatestMarginDb(Drone drone, FlightState state, Optional<Pointing> pointing) {
         return sensor instanceof BoundingSensor bounding
@@ -177,7 +177,7 @@ public final class Assessor {
 
     /**
      * The signal of a drone if there were nothing but air between it and the sensor; see
-     * {@link InterpolableSensor#signalInTheOpen}. Empty for sensors of other kinds.
+     * {@link InterpolableSensor#signalInTheOpen}. Empty for a sensor that is not an {@link InterpolableSensor}.
      */
     public Optional<Signal> signalInTheOpen(Drone drone) {
         return interpolable().flatMap(smooth -> smooth.signalInTheOpen(world, drone));
@@ -185,7 +185,7 @@ public final class Assessor {
 
     /**
      * Whether the assessment is certain to be the same at every heading in this assessor's world; see
-     * {@link AssessableSensor#isSameAtAllHeadings}. False for sensors of other kinds.
+     * {@link AssessableSensor#isSameAtAllHeadings}. False for a sensor that is not an {@link AssessableSensor}.
      */
     public boolean isSameAtAllHeadings(Drone drone, Optional<Pointing> pointing) {
         return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllHeadings(world, drone, pointing);
@@ -193,7 +193,7 @@ public final class Assessor {
 
     /**
      * Whether the assessment is certain to be the same at every speed; see {@link AssessableSensor#isSameAtAllSpeeds}.
-     * False for sensors of other kinds.
+     * False for a sensor that is not an {@link AssessableSensor}.
      */
     public boolean isSameAtAllSpeeds() {
         return sensor instanceof AssessableSensor assessable && assessable.isSameAtAllSpeeds();

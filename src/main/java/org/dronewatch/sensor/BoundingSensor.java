@@ -44,8 +44,8 @@ public interface BoundingSensor extends AssessableSensor {
 
     /**
      * An upper bound on the margin of a drone in a given state, dB; other parameters as for {@link #bound}. The bounds
-     * returned by that method depend on what earlier queries have prepared; this one does not depend on the order of
-     * queries.
+     * that {@code bound} returns depend on what earlier queries have prepared; this upper bound does not depend on the
+     * order of queries.
      */
     double greatestMarginDb(World world, Drone drone, FlightState state, Optional<Pointing> pointing);
 }

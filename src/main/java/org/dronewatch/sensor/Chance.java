@@ -6,8 +6,8 @@ package org.dronewatch.sensor;
  */
 public enum Chance {
     /**
-     * Chance decides in each look independently, as echoes and noise fluctuate. A sensor that compares an exact value
-     * with a threshold belongs here, too: the probability is 0 or 1.
+     * Chance decides in each look independently, as echoes and noise fluctuate. This also applies to a sensor that
+     * compares an exact value with a threshold: its probability is 0 or 1.
      */
     PER_LOOK {
         @Override

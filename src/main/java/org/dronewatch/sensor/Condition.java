@@ -27,9 +27,12 @@ public enum Condition {
     WIND,
     /** The noise sources of the site: those of {@code world.noiseSources} that state no level for the level model. */
     NOISE_SOURCES,
-    /** The source level of a drone in the level model: {@code drones.ID.soundLevel}, where only that is set. */
+    /**
+     * The source level of a drone in the level model: {@code drones.ID.soundLevel}, set without
+     * {@code soundPowerLevel}.
+     */
     SOUND_LEVEL("soundLevel"),
-    /** The sound power level of a drone: {@code drones.ID.soundPowerLevel}, where only that is set. */
+    /** The sound power level of a drone: {@code drones.ID.soundPowerLevel}, set without {@code soundLevel}. */
     SOUND_POWER_LEVEL("soundPowerLevel"),
     /** The spectrum of a drone, chosen by name from the library's table: {@code drones.ID.sound}. */
     SOUND("sound"),

@@ -31,9 +31,9 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     public static final double SEARCH_TIME = 3.4;
 
     /**
-     * The longest time for which a drone may be out of sight within one encounter, s: three times the search time (an
-     * assumption), after which the observer has to search again. For a sensor with a low rate, the limit is 1.5 times
-     * the interval between two looks, if that is longer.
+     * The longest time for which a drone may be out of sight within one encounter, s: about three times the search time
+     * (an assumption), after which the observer has to search again. For a sensor with a low rate, the limit is 1.5
+     * times the interval between two looks, if that is longer.
      */
     public static final double GAP = 10.0;
 

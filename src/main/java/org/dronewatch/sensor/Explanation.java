@@ -21,7 +21,7 @@ public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDoub
     /**
      * Checks that an obstacle is named where one hides the drone, and only there.
      *
-     * @throws IllegalArgumentException otherwise
+     * @throws IllegalArgumentException when an obstacle is named for another cause, or none is named for a hidden drone
      */
     public Explanation {
         if (obstacle.isPresent() != cause.isHidden()) {

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronewatch.geometry.Position;
 
-/** The geometry of a sensor's field of view, for drawing: it takes no account of occlusion or of detection range. */
+/**
+ * The geometry of a sensor's field of view, within its limits of range; it takes no account of occlusion, or of how far
+ * the sensor detects a drone.
+ */
 public sealed interface Outline {
     /**
      * Tolerance, rad: rounding must not cut off what lies on an edge, least of all directly behind a radar that scans a

@@ -8,7 +8,7 @@ import java.lang.annotation.Target;
 
 /**
  * Marks a component that files must give as numbers, although other components of its type may also be given as a place
- * on a map. It is needed for the position of a model, because the height of a place on a map is measured from the
+ * on a map. The position of a model is such a component, because the height of a place on a map is measured from the
  * surface, which depends on where the model is.
  */
 @Documented

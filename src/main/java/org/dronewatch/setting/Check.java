@@ -2,8 +2,8 @@ package org.dronewatch.setting;
 
 /**
  * Range checks for values that are not record components (see {@link Limits} for those): each check returns the value,
- * or throws an {@link IllegalArgumentException} that states its name, the value and the limit. Values and limits are in
- * the {@linkplain Quantity#unit() unit} of their quantity.
+ * or throws an {@link IllegalArgumentException} that states the value with its name, and the limit. Values and limits
+ * are in the {@linkplain Quantity#unit() unit} of their quantity.
  */
 public final class Check {
 

@@ -24,7 +24,11 @@ public final class PlainText {
         return shortened(visible(String.valueOf(value).strip(), false), LONGEST);
     }
 
-    /** The beginning of a text, followed by an ellipsis if it was cut; never splits a character. */
+    /**
+     * The beginning of a text, followed by an ellipsis if it was cut; never splits a character.
+     *
+     * @param longest maximum number of characters, not counting the ellipsis
+     */
     public static String beginning(String text, int longest) {
         if (text.length() <= longest) {
             return text;
@@ -35,7 +39,7 @@ public final class PlainText {
 
     /**
      * A message on one line: all characters are visible, with at most {@value #LONGEST} characters of every quoted
-     * value and every word. Line breaks and tabs become spaces.
+     * value and every word, and at most 600 in all. Line breaks and tabs become spaces.
      */
     public static String line(String message) {
         String visible = visible(message.strip(), false);

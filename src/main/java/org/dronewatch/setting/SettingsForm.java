@@ -220,7 +220,7 @@ public final class SettingsForm {
     }
 
     /**
-     * A copy of a record with one component changed: the body of every {@code withX} of settings.
+     * A copy of a record with one component changed, for the {@code with...} methods of settings.
      *
      * @param part name of a component
      * @throws IllegalArgumentException when a limit is violated, or the record has no such component

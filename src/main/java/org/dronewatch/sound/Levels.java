@@ -9,7 +9,7 @@ public final class Levels {
         return 10.0 * Math.log10(ratio);
     }
 
-    /** The ratio of powers or energies that corresponds to a level. */
+    /** The ratio of powers or energies that corresponds to a level, dB. */
     public static double toRatio(double level) {
         return Math.pow(10.0, 0.1 * level);
     }

@@ -25,7 +25,7 @@ public final class OctaveBands {
         return NOMINAL[band];
     }
 
-    /** A-weighting, dB. */
+    /** The A-weighting of a band, dB. */
     public static double aWeight(int band) {
         return A_WEIGHTS[band];
     }

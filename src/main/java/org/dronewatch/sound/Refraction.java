@@ -6,8 +6,8 @@ import java.util.OptionalDouble;
  * Refraction of a plane wave at the flat interface between two fluids. Angles are measured from the normal, radians, 0
  * to pi/2.
  *
- * <p>For sound from air, the critical angle of solids is below 7 degrees, so this does not model a wall: a wall has a
- * transmission loss.
+ * <p>For sound from air, the critical angle of solids is below 7 degrees, so this class does not model walls: a wall
+ * has a transmission loss.
  */
 public final class Refraction {
     private Refraction() {}

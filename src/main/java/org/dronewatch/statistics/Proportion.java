@@ -25,7 +25,7 @@ public record Proportion(int count, int of) {
     /**
      * Wilson's score interval for the probability (Wilson, Journal of the American Statistical Association 22, 1927):
      * over many campaigns, about the fraction {@code confidence} of the intervals contain the true probability, even
-     * where it is close to 0 or 1.
+     * where that probability is close to 0 or 1.
      *
      * @param confidence such as 0.95, above 0 and below 1
      * @return the interval; from 0 to 1 if there are no cases

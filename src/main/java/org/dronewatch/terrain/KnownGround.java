@@ -60,7 +60,7 @@ public final class KnownGround {
         return rim;
     }
 
-    /** A copy of the sides of the rim, and of those of holes: x and y of both ends of each, m. */
+    /** A copy of the sides of the rim, including those around holes: x and y of both ends of each side, m. */
     public double[] rim() {
         return rim.clone();
     }

@@ -136,9 +136,13 @@ public final class TerrainGround {
     }
 
     /**
-     * Lists the triangles near a rectangle in plan view, given by its limits to the east and north, m; some may lie
-     * outside it, and some may be listed more than once.
+     * Lists the triangles near a rectangle in plan view; some may lie outside the rectangle, and some may be listed
+     * more than once.
      *
+     * @param fromX western limit of the rectangle, m
+     * @param toX eastern limit of the rectangle, m
+     * @param fromY southern limit of the rectangle, m
+     * @param toY northern limit of the rectangle, m
      * @param target receives the number of each triangle
      */
     public void trianglesNear(double fromX, double toX, double fromY, double toY, IntConsumer target) {

@@ -34,7 +34,7 @@ public interface ContactMatcher {
          * A matcher without contacts.
          *
          * @param gate maximum difference between the bearings of two contacts that may be one object, 0 to pi, rad
-         * @param within time within which both must be confirmed, 0 or more, s
+         * @param within maximum time between the confirmations of the two, 0 or more, s
          */
         ContactMatcher matcher(double gate, double within);
     }

@@ -48,7 +48,7 @@ public class PerfectAssociation {
     }
 
     /**
-     * Associates the observations made at one time, provided that every sensor that looked has an observation.
+     * Associates the observations made at one time; a sensor without an observation counts as one that did not look.
      *
      * @return each sensor's look at each contact, in the order of the observations
      */
@@ -125,7 +125,7 @@ public class PerfectAssociation {
      *
      * @param gate maximum difference between the bearings of two contacts, 0 to pi, rad; a contact without a bearing
      *     agrees with any
-     * @param within time within which both must be confirmed, 0 or more, s
+     * @param within maximum time between the confirmations of the two, 0 or more, s
      */
     public ContactMatcher matcher(double gate, double within) {
         return new BearingMatcher(drones::containsKey, gate, within);

@@ -76,7 +76,7 @@ public final class Viewer implements AutoCloseable {
 
     /**
      * Opens the window, with the layout in which the user last closed it. The calling thread is expected to run the
-     * scene; it is interrupted if the window is closed while it is still reading models.
+     * scene, and is interrupted if the window is closed while models are still being read.
      *
      * @param runner the runner that will run the scene; it also provides the settings and the stage of the view
      * @param threads number of threads that render

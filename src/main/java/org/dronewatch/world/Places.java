@@ -50,7 +50,7 @@ public final class Places {
      *
      * @throws IllegalArgumentException when the scene has no origin, a place given by its height above the surface has
      *     no surface below it, a height above sea level has no meaning in the scene, or the place is more than 100 km
-     *     away
+     *     from the origin
      */
     public Position at(EarthPlace place) {
         Geodesy geodesy = geodesy();
@@ -97,7 +97,7 @@ public final class Places {
     /**
      * A point in plan view by latitude and longitude, at the level of the origin.
      *
-     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km from it
      */
     public GroundPoint at(EarthPoint point) {
         double level = origin.flatMap(Origin::height).orElse(0.0);
@@ -130,24 +130,25 @@ public final class Places {
     }
 
     /**
-     * The position of a place at a height above the datum of the origin's height, or above 0 if that is not known.
+     * The position of a place at a height above the datum of the origin's height; above the origin if that height is
+     * not known.
      *
      * @param latitude latitude (WGS 84), rad
      * @param longitude longitude (WGS 84), rad
      * @param height height, m
-     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km from it
      */
     public Position atHeight(double latitude, double longitude, double height) {
         return near(geodesy().inWorld(latitude, longitude, height), latitude, longitude);
     }
 
     /**
-     * The height of the highest surface on the vertical at a place, above the datum of the origin's height, or above 0
-     * if that is not known, m; empty where the terrain has a hole, and outside the site.
+     * The height of the highest surface on the vertical at a place, m, above the datum of the origin's height; above
+     * the origin if that height is not known. Empty where the terrain has a hole, and outside the site.
      *
      * @param latitude latitude (WGS 84), rad
      * @param longitude longitude (WGS 84), rad
-     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km away
+     * @throws IllegalArgumentException when the scene has no origin, or the point is more than 100 km from it
      */
     public OptionalDouble surface(double latitude, double longitude) {
         Geodesy geodesy = geodesy();

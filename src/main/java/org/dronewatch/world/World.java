@@ -34,8 +34,8 @@ import org.dronewatch.terrain.KnownGround;
 import org.jogamp.vecmath.Point3d;
 
 /**
- * The site: everything stationary, as one mesh with one tree, and its background noise. World frame: metres,
- * right-handed, x east, y north, z up. Immutable, shared by all threads.
+ * The site: everything stationary, as one mesh with one k-d tree over it, and the background noise. World frame:
+ * metres, right-handed, x east, y north, z up. Immutable, shared by all threads.
  */
 public final class World {
     private final TracingIndex index;
@@ -195,7 +195,8 @@ public final class World {
     /**
      * This world with a record of the models that it was merged from.
      *
-     * @param byFirstTriangle models by the number of the first triangle of each in the mesh; one begins at 0
+     * @param byFirstTriangle models by the number of the first triangle of each in the mesh; the first begins at 0
+     * @throws IllegalArgumentException when no model begins at triangle 0
      */
     public World withModels(NavigableMap<Integer, SiteModel> byFirstTriangle) {
         if (!byFirstTriangle.containsKey(0)) {
@@ -302,7 +303,10 @@ public final class World {
         return new TriangleMesh(vertices, corners, materials, numbers, List.copyOf(materialNumbers.keySet()));
     }
 
-    /** The closest hit along a ray, or empty. For convenience: for many rays, use one {@link #newRayTracer()}. */
+    /**
+     * The closest hit along a ray; empty if there is none. For convenience: for many rays, use one
+     * {@link #newRayTracer()}.
+     */
     public Optional<Hit> closestHit(Ray ray) {
         return newRayTracer().closestHit(ray);
     }

@@ -32,7 +32,7 @@ public record Course(
         Optional<String> sensor,
         Optional<GlideDescent> glide,
         OptionalDouble speed) {
-    /** Number of directions of the compass among the courses. */
+    /** Number of compass directions among the courses. */
     public static final int COMPASS_POINTS = 8;
 
     private static final Position NOWHERE = new Position(0, 0, 0);
@@ -119,8 +119,8 @@ public record Course(
     }
 
     /**
-     * The number of the first course that has the same fixed heading as the course with the given number; the given
-     * number itself if no earlier course has.
+     * The number of the first course with the same fixed heading as the course with the given number; the given number
+     * itself if that course has no fixed heading, or no earlier course has the same one.
      */
     public static int firstOnSameHeading(List<Course> courses, int number) {
         Course course = courses.get(number);

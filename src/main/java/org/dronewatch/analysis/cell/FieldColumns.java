@@ -51,7 +51,12 @@ public final class FieldColumns {
                 .get(level));
     }
 
-    /** The columns of a grid with one cell each, at its own height above the ground, m; NaN for none. */
+    /**
+     * The columns of a grid with one cell each, at a height of its own.
+     *
+     * @param above height of each cell above the ground, m, row by row from the north-west; NaN for a column without a
+     *     cell
+     */
     public static FieldColumns at(World world, FieldGrid grid, double[] above) {
         return square(world, grid, 1, (level, column, row) -> above[row * grid.columns() + column]);
     }
@@ -86,7 +91,12 @@ public final class FieldColumns {
         return new FieldColumns(world, grid.columns(), grid.columns(), levels, square);
     }
 
-    /** Columns at any positions, with one or more cells each, examined on the {@link Workers} of the calling thread. */
+    /**
+     * Columns at any positions, with one or more cells each, examined on the {@link Workers} of the calling thread.
+     *
+     * @param columns number of columns in a row
+     * @param levels number of cells in a column
+     */
     public FieldColumns(World world, int columns, int rows, int levels, Plan plan) {
         this.columns = columns;
         this.rows = rows;

@@ -17,7 +17,7 @@ import org.dronewatch.setting.Quantity;
  * @param cell length of a cell's side, above 0 and at most 100,000 m; at most 2000 cells along a side
  * @param heights heights above the ground, in ascending order, each at least 1 mm above the one before it (the first
  *     above the ground) and at most 10,000 m; 1 to 50 heights
- * @param area only cells whose centre lies in this area in plan view count; empty if all do
+ * @param area only cells whose centre lies in this area in plan view count; empty if all cells count
  */
 public record FieldGrid(
         @In(value = Quantity.LENGTH, from = -In.FARTHEST, to = In.FARTHEST) double east,
@@ -195,8 +195,8 @@ public record FieldGrid(
     }
 
     /**
-     * The depth of the layer of air that a height represents, m: it extends halfway to the neighbouring heights; the
-     * lowest layer begins at the ground, and the highest ends at the height itself.
+     * The depth of the layer of air around a height, given by its number, m: each layer extends halfway to the
+     * neighbouring heights; the lowest begins at the ground, and the highest ends at its own height.
      */
     public double depth(int height) {
         int last = heights.size() - 1;

@@ -19,7 +19,9 @@ public final class ProbabilityStep {
 
     private ProbabilityStep() {}
 
-    /** The step to which a probability is rounded; below 1/250, the step whose logarithm is nearest. */
+    /**
+     * The step to which a probability is rounded: the nearest one or, below 1/250, the nearest on a logarithmic scale.
+     */
     public static int of(double probability) {
         if (probability <= 0.0 || probability >= 1.0) {
             return probability <= 0.0 ? 0 : CERTAIN;

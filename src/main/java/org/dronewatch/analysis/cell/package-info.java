@@ -1,5 +1,5 @@
 /**
- * The cells of a detection field: their grid, what is asked of each of them, and the code in which the answer is
- * kept.
+ * The cells of a detection field: their grid, the courses and terms on which each is assessed, and the bit codes in
+ * which the results are stored.
  */
 package org.dronewatch.analysis.cell;

@@ -5,7 +5,7 @@ import java.util.function.IntConsumer;
 import org.dronewatch.analysis.cell.FieldGrid;
 
 /**
- * The lowest height above the ground at which any sensor covers each column: the lowest covered height of the grid,
+ * For each column, the lowest height above the ground that any sensor covers: the lowest covered height of the grid,
  * refined by bisection between that height and the next lower one or the ground. Below that interval, and between two
  * covered heights, the column is not searched. Immutable.
  */

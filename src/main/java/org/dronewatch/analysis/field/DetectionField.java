@@ -184,8 +184,8 @@ public final class DetectionField {
     }
 
     /**
-     * The errors of the levels that are interpolated between cells, by name of the sensor. Sensors that are not among
-     * the keys are assessed in each cell.
+     * The errors of the signal levels that are interpolated between cells, by name of the sensor. Sensors that are not
+     * among the keys are assessed in each cell.
      */
     public Map<String, InterpolationError> interpolated() {
         return all.interpolated();
@@ -253,7 +253,7 @@ public final class DetectionField {
     /**
      * Whether a sensor covers a cell on a course: its {@linkplain #probability probability} is at least a given value.
      *
-     * @param covered the value, 0.008 to 0.996, or 1
+     * @param covered the value, 0.008 to 0.996, or 1; other arguments as for {@link #step}
      * @throws IllegalArgumentException as for {@link FieldCoverage#checkedProbability}
      */
     public boolean covers(int sensor, int height, int column, int row, int course, double covered) {

@@ -22,9 +22,9 @@ import org.dronewatch.sensor.SensorSettings;
  * The field of a scene at one height while some of its sensors are moved or turned: only these are assessed again, in
  * ever smaller blocks of cells; what the others detect is taken from the previous field. In the end, all cells are as
  * {@link FieldAssessment} would give them, with three exceptions: an inbound drone flies to the target of the previous
- * field; where signals of moved sensors could be interpolated, only those along deterministic paths, which are found
- * without random rays, count ({@link #reduced}); and where signals of the other sensors could be interpolated, they
- * keep their previous values on the courses across the line of sight of a moved sensor.
+ * field; where the signal of a moved sensor could be interpolated, only the part that arrives along deterministic
+ * paths, which are found without random rays, counts ({@link #reduced}); and where signals of the other sensors could
+ * be interpolated, they keep their previous values on the courses across the line of sight of a moved sensor.
  *
  * <p>For use by one thread, which may have {@link Workers}; the result does not depend on their number.
  */
@@ -86,7 +86,11 @@ public final class FieldDraft {
         return ExcessSurvey.isPossible(whole) ? whole.onExactPaths() : whole;
     }
 
-    /** The sensors of a field that are moved, turned or otherwise different in other settings of the same scene. */
+    /**
+     * The sensors of a field that are moved, turned or otherwise different in other settings of the same scene.
+     *
+     * @throws IllegalArgumentException when a sensor of the field is not enabled in these settings
+     */
     public static Set<String> movedSensors(DetectionField field, SceneSettings moved) {
         Map<String, SensorSettings<?>> sensors = moved.enabledSensors();
         Set<String> ids = new LinkedHashSet<>();

@@ -13,7 +13,10 @@ public enum FieldHeading {
     WORST,
     /** The heading on which the sensors together are most likely to detect the drone. */
     BEST,
-    /** Towards the protected zone or, without one, towards the mean position of the sensors. */
+    /**
+     * Towards the centre of the grid's area; without an area, of the protected zone; without either, towards the mean
+     * position of the sensors.
+     */
     INBOUND;
 
     /**

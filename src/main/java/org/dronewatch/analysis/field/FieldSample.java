@@ -16,9 +16,9 @@ import org.dronewatch.world.World;
 /**
  * What the sensors of a field detect at 4,096 positions between the centres of its cells. In plan view, the positions
  * are spread evenly between the centres of the outermost columns; vertically, they lie between the lowest and the
- * highest height, half of them in the lowest quarter of the levels, near the ground, where a drone finds something to
- * hide behind. They are the points of the additive sequence R3 (M. Roberts, "The unreasonable effectiveness of
- * quasirandom sequences", 2018), the same for every field of the same grid. Immutable.
+ * highest height of the grid, half of them in the range of the lowest quarter of these heights, near the ground, where
+ * a drone finds something to hide behind. They are the points of the additive sequence R3 (M. Roberts, "The
+ * unreasonable effectiveness of quasirandom sequences", 2018), the same for every field of the same grid. Immutable.
  */
 public final class FieldSample {
     private static final int COUNT = 4096;

@@ -9,13 +9,13 @@ import org.dronewatch.sensor.Assessor;
 /**
  * How a sensor points while it looks at a drone in a cell.
  *
- * @param towards the pointings in which the sensor may see the drone, out of those at equal intervals of time over a
- *     period of its search; an empty one is the sensor's own aim
+ * @param towards the pointings in which the sensor may see the drone, among pointings at equal intervals of time over
+ *     one period of the search; an empty element is the sensor's own aim
  * @param passes the indices in {@code towards} at which the drone enters the field of view: in the pointing just
  *     before, it was outside
- * @param phases for each of these pointings, the number of its phase of the search
- * @param share number of these pointings as a fraction of all, which is also the fraction of the time, 0 to 1
- * @param away a pointing in which the sensor cannot see the drone, if the fraction is less than 1
+ * @param phases for each element of {@code towards}, the number of its phase of the search
+ * @param share the fraction of the pointings, and so of the time, in which the sensor may see the drone, 0 to 1
+ * @param away a pointing in which the sensor cannot see the drone; empty if {@code share} is 1
  */
 public record CellPointings(
         List<Optional<Pointing>> towards,

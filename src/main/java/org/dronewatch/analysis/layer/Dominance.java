@@ -19,14 +19,14 @@ public final class Dominance {
     private Dominance() {}
 
     /**
-     * The rank of a sensor: it rises with the probability, given in steps, and then with the nearness of the cause to a
-     * detection.
+     * The rank of a sensor: the higher the probability, given in steps, the higher the rank; for equal probabilities,
+     * the nearer the cause is to a detection.
      */
     public static int rank(int steps, Cause cause) {
         return steps << CAUSE_BITS | cause.ordinal();
     }
 
-    /** The cause of a rank. */
+    /** The cause that a rank contains. */
     public static Cause cause(int rank) {
         return CAUSES[rank & (1 << CAUSE_BITS) - 1];
     }

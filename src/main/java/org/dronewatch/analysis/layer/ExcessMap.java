@@ -10,10 +10,11 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.Signal;
 
 /**
- * Interpolates, for any position of the drone, the amount by which the signal of one sensor exceeds its signal in the
- * open, where nothing but air lies between the two, and what the sensor receives along paths that only random rays
- * find. Values are interpolated between the nearest traced positions, separately in sight of the sensor, out of sight,
- * and where nothing arrives along deterministic paths, which are found without random rays. Immutable.
+ * Interpolates two quantities, in dB, for any position of the drone: the amount by which the signal of one sensor
+ * exceeds the signal that it would receive with nothing but air between it and the drone, and the level that the sensor
+ * receives along paths that only random rays find. Values are interpolated between the nearest traced positions,
+ * separately in sight of the sensor, out of sight, and where nothing arrives along deterministic paths, which are found
+ * without random rays. Immutable.
  */
 public final class ExcessMap {
     private static final int NEIGHBOURS = 20;

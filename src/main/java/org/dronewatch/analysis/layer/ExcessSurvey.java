@@ -21,10 +21,10 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Chooses the positions at which a sensor's levels are traced: some at random in the cells of a field and between their
- * heights, then, in two rounds, more where neighbours differ and the level is near the threshold. Others, at random,
- * are held out to measure the error. All random numbers come from one stream, which depends only on the seed and on the
- * names of sensor and drone.
+ * Chooses the positions at which a sensor's signal levels are traced: first some at random, in the cells of a field and
+ * between the heights of these cells; then, in two rounds, more where neighbours differ and the level is near the
+ * threshold. Further random positions are held out to measure the error. All random numbers come from one stream, which
+ * depends only on the seed and on the names of sensor and drone.
  */
 public final class ExcessSurvey {
     /** The greatest number of positions in the open and in enclosed spaces, where tracing takes longer. */

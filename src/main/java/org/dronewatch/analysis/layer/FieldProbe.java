@@ -38,7 +38,7 @@ import org.dronewatch.world.World;
  * @param courses courses of the drone
  * @param terms terms on which the drone counts as detected
  * @param search where the sensor points while it searches; empty if its search does not matter
- * @param assessor assessor of the sensor; threads use its siblings
+ * @param assessor assessor of the sensor; each thread uses an equivalent one of its own ({@link #newAssessor})
  * @param shortcuts what an assessment may leave out
  */
 public record FieldProbe(
@@ -61,8 +61,8 @@ public record FieldProbe(
      * @param isExactAlone for a signal that could be interpolated, whether to count only the part that arrives along
      *     deterministic paths, which are found without random rays: this is much faster, and never overstates the
      *     signal
-     * @param needed the one step of the probability that matters, if only one does: where the result is the same on all
-     *     courses, the result then shows reliably only whether this step is reached
+     * @param needed the step of the probability that has to be reached, if nothing else matters: a result that is the
+     *     same on all courses then shows reliably only whether the probability reaches this step
      */
     public record Shortcuts(Optional<ExcessMap> excess, boolean isExactAlone, OptionalInt needed) {
         static final Shortcuts NONE = new Shortcuts(Optional.empty(), false, OptionalInt.empty());

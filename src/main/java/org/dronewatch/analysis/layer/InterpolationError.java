@@ -6,15 +6,16 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The error of a sensor's interpolated levels, measured at positions that were not used for the interpolation.
+ * The error of a sensor's interpolated signal levels, measured at positions that were not used for the interpolation.
  *
  * @param places number of positions at which levels were traced to interpolate between them
  * @param heldOut number of positions at which levels were traced to measure the error
  * @param percentile95 the 95th percentile of the absolute error at the held-out positions, dB
- * @param ofLooks root mean square of the standard errors of the levels traced at the held-out positions, dB; looks have
- *     the same standard error, so interpolating between more positions would not make a field more accurate
- * @param inSight bounds on the error where nothing is in the way
- * @param hidden bounds on the error where something is in the way
+ * @param ofLooks root mean square of the standard errors of the levels traced at the held-out positions, dB; a look
+ *     without interpolation has the same standard error, so interpolating between more positions would not make a field
+ *     more accurate
+ * @param inSight bounds on the error where the drone is in sight of the sensor
+ * @param hidden bounds on the error where the drone is hidden from the sensor
  */
 public record InterpolationError(
         int places, int heldOut, double percentile95, double ofLooks, Bounds inSight, Bounds hidden) {
@@ -101,8 +102,8 @@ public record InterpolationError(
     }
 
     /**
-     * The part of the error that is due to the looks themselves, dB: 95 % of normally distributed errors do not exceed
-     * it.
+     * The 95th percentile of the absolute error that is due to the looks themselves, if this error is normally
+     * distributed, dB.
      */
     public double percentile95OfLooks() {
         return TWO_SIDED * ofLooks;

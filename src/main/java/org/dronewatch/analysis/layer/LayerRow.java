@@ -51,8 +51,8 @@ public final class LayerRow {
     }
 
     /**
-     * The {@link CellCode}s of the drone at a position, m: a single one if all courses give the same, otherwise one
-     * each.
+     * The {@link CellCode}s of the drone at a position, m: a single one if all courses give the same, otherwise one for
+     * each course.
      */
     public int[] codesAt(Position at) {
         return assess(at) ? new int[] {codes[0]} : codes.clone();

@@ -88,7 +88,11 @@ public final class LayerStore {
         return store.isEmpty() ? this : new LayerStore(store, world + grid + courses);
     }
 
-    /** A store that keeps whatever takes more than 50 ms to compute. */
+    /**
+     * A store that keeps whatever takes more than 50 ms to compute.
+     *
+     * @param notes receives a line when a file cannot be written
+     */
     public static SiteStore standard(StorePlace place, Consumer<String> notes) {
         return SiteStore.standard(place, WORTH, notes);
     }

@@ -13,8 +13,9 @@ import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Cause;
 
 /**
- * One sensor's assessments of a drone in all cells on all courses: probability, cause and margin. Most of them are the
- * same on every course, and take four bytes for each cell and height ({@link CellCode}); the others take some more.
+ * One sensor's assessments of a drone in all cells on all courses: probability, cause and margin. Most assessments are
+ * the same on every course, and take four bytes for each cell and height, with one {@link CellCode} for all courses;
+ * the others take more.
  */
 public final class SensorLayer {
     /**
@@ -147,7 +148,9 @@ public final class SensorLayer {
         return entries[height * rows + row][column] >= 0;
     }
 
-    /** The probability that the drone is detected, as a {@link ProbabilityStep step}; 0 where it cannot be. */
+    /**
+     * The probability that the drone is detected, as a {@link ProbabilityStep step}; 0 in a cell in which it cannot be.
+     */
     public int step(int height, int column, int row, int course) {
         return CellCode.step(at(height, column, row, course));
     }

@@ -20,11 +20,11 @@ import org.dronewatch.sensor.Cause;
  * @param volume volume of the air that the covered cells represent, m3; see {@link FieldGrid#depth}
  * @param causes number of known cells by dominant cause, in the order of {@link Cause}
  * @param causesBySensor by sensor, in the order of the scene, the number of known cells by the sensor's own cause, on
- *     the course that counts in each cell: {@link Cause#DETECTED} where one of its looks detects the drone
+ *     the course that counts in each cell: {@link Cause#DETECTED} where a single look detects the drone
  * @param counts number of known cells by the number of sensors that cover them, from none upwards
  * @param lost by sensor, how many more cells are covered with it than without it: those lost without it, less those
- *     gained, since without a sensor another course may count on which the others cover more; so the number may be 0
- *     although cells change, or be below 0
+ *     gained, since without the sensor another course may count, on which the other sensors cover more; the number may
+ *     therefore be 0 although cells change, or be below 0
  * @param changed by sensor, the number of cells that are covered either with it or without it, but not both
  * @param gap the largest gap; empty if there is none
  */

@@ -18,7 +18,7 @@ public final class ProgressOptions {
      * How the command shows its progress.
      *
      * @param err receives progress and notes
-     * @throws InputException when {@code --quiet} is also given
+     * @throws InputException when both {@code --progress} and {@code --quiet} are given
      */
     public TaskProgress on(PrintWriter err) {
         boolean quiet = Notes.areOff(command);

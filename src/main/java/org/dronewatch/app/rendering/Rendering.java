@@ -20,10 +20,19 @@ public abstract class Rendering {
         this.simulation = simulation;
     }
 
-    /** Checks the options before anything is loaded. */
+    /**
+     * Checks the options before anything is loaded.
+     *
+     * @param ending extension of the picture's or film's file name
+     */
     public abstract void check(String ending);
 
-    /** Draws a picture of the subject at one time, and returns a description of the picture. */
+    /**
+     * Draws a picture of the subject at one time, and returns a description of the picture.
+     *
+     * @param time seconds since the start of the run
+     * @param ending extension of the picture's file name
+     */
     public abstract String picture(
             double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec);
 

@@ -21,7 +21,7 @@ import org.dronewatch.report.placement.PlaceMeasure;
 import org.dronewatch.run.Stage;
 
 /**
- * The search for a placement: what it needs, whatever the objective.
+ * The inputs of a search for a placement, whatever its objective.
  *
  * @param plan what is asked for
  * @param stage stage of the plan's scene

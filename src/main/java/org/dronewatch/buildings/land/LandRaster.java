@@ -39,7 +39,7 @@ public final class LandRaster {
         this.codes = codes;
     }
 
-    /** The code of the class at a point, m; that of {@link LandClass#NONE} outside the raster. */
+    /** The code of the class at a point, m east and north; that of {@link LandClass#NONE} outside the raster. */
     public int code(double x, double y) {
         double column = Math.floor((x + half) * perMetre);
         double row = Math.floor((y + half) * perMetre);
@@ -48,7 +48,7 @@ public final class LandRaster {
                 : LandClass.NONE.code();
     }
 
-    /** The class at a point, m. */
+    /** The class at a point, m east and north; {@link LandClass#NONE} outside the raster. */
     public LandClass at(double x, double y) {
         return LandClass.all().get(code(x, y));
     }

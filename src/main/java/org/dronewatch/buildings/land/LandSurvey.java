@@ -57,7 +57,7 @@ public final class LandSurvey {
      *
      * @param file name of the map, for warnings
      * @param land the land cover of the map
-     * @param half half the length of a side of the square around the origin that is drawn, m
+     * @param half half the length of a side of the square around the origin in which land cover is drawn, m
      * @param inWorld transforms coordinates of the map to the world frame, m: x and y of each corner in turn
      */
     public static Found of(String file, MapLand land, double half, UnaryOperator<double[]> inWorld) {

@@ -19,7 +19,7 @@ public enum Outcome {
         this.met = met;
     }
 
-    /** Whether the outcome is known for a case: a case that failed has none. */
+    /** Whether the outcome is known for a case; false for a case that failed. */
     public boolean isKnown(CaseResult result) {
         return !result.isFailed() && known.test(result);
     }

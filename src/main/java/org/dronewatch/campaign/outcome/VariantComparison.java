@@ -53,7 +53,7 @@ public final class VariantComparison {
         return b;
     }
 
-    /** The outcome by which they are compared. */
+    /** The outcome by which the variants are compared. */
     public Outcome outcome() {
         return outcome;
     }
@@ -68,7 +68,11 @@ public final class VariantComparison {
         return new PairedDifference(onlyA, onlyB, both);
     }
 
-    /** The variant that has the outcome in one of the cases of {@link #deciding()}, in which the other one does not. */
+    /**
+     * The variant that has the outcome in a given case, while the other variant does not.
+     *
+     * @param number number of the case, one of {@link #deciding()}
+     */
     public String betterIn(int number) {
         return decidedForA.contains(number) ? a : b;
     }

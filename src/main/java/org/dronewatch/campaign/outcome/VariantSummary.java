@@ -67,7 +67,7 @@ public final class VariantSummary {
         }
     }
 
-    /** The number of the sector of a bearing, rad clockwise from north; sector 0 is centred on north. */
+    /** The number of the sector of a bearing, clockwise from north, rad, 0 to 2 pi; sector 0 is centred on north. */
     public static int sector(double bearing) {
         return (int) Math.floor(bearing / TURN * SECTORS + 0.5) % SECTORS;
     }
@@ -95,14 +95,14 @@ public final class VariantSummary {
         return cutShort;
     }
 
-    /** Of the cases in which an outcome is known, the proportion that has it; empty if there are none. */
+    /** The proportion of cases with an outcome, among those in which it is known; empty if there are none. */
     public Optional<Proportion> proportion(Outcome outcome) {
         return proportion(outcomes, outcome);
     }
 
     /**
-     * Of the attacks that begin in a sector and for which an outcome is known, the proportion that has it; empty if
-     * there are none.
+     * The proportion of attacks with an outcome, among those that begin in a sector, given by its number, and for which
+     * the outcome is known; empty if there are none.
      */
     public Optional<Proportion> proportion(Outcome outcome, int sector) {
         return proportion(sectors.get(sector), outcome);
@@ -118,8 +118,8 @@ public final class VariantSummary {
     }
 
     /**
-     * Of the cases in which an attacking drone takes part and an outcome is known for it, the proportion that has it;
-     * empty if there are none.
+     * The proportion of cases in which an attacking drone, given by its name, has an outcome, among those in which the
+     * drone takes part and the outcome is known for it; empty if there are none.
      */
     public Optional<Proportion> proportion(Outcome outcome, String drone) {
         return proportion(drones.getOrDefault(drone, Map.of()), outcome);

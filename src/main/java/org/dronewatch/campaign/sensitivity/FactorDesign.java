@@ -19,7 +19,8 @@ public sealed interface FactorDesign permits SaltelliDesign, MorrisDesign {
     boolean isSecond(int evaluation, int factor);
 
     /**
-     * The value of a factor in an evaluation as a quantile of its distribution, 0 or more and below 1.
+     * The value of a factor in an evaluation, given as its cumulative probability in the factor's distribution, 0 or
+     * more and below 1.
      *
      * @param evaluation number of the evaluation, from 0, below {@link #size()}
      */

@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
  * @param factors number of factors, 1 or more
  * @param base number of groups, 2 or more
  * @param values random numbers that determine the first values
- * @param order random numbers that determine the order: the factor with the smallest one changes first
+ * @param order random numbers that determine the order: the factor with the smallest number changes first
  */
 public record MorrisDesign(int factors, int base, Uniform01 values, Uniform01 order) implements FactorDesign {
     /** By how much a factor changes, as a part of its distribution. */

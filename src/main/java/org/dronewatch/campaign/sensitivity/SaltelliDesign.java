@@ -7,7 +7,7 @@ package org.dronewatch.campaign.sensitivity;
  *
  * @param factors number of factors, 1 or more
  * @param base number of groups, 2 or more
- * @param values random numbers that are the quantiles
+ * @param values uniform random numbers, used as the cumulative probabilities of the factors' values
  */
 public record SaltelliDesign(int factors, int base, Uniform01 values) implements FactorDesign {
     /** Evaluations of a group besides one for each factor. */

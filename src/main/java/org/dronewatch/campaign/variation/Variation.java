@@ -72,7 +72,8 @@ public record Variation(
     }
 
     /**
-     * The value of the setting that corresponds to a random number, as text for a setting of a quantity.
+     * The value of the setting that corresponds to a random number, as in a scene file: the inverse of the cumulative
+     * distribution at that number.
      *
      * @param quantity what the setting is measured in
      * @param u random number, 0 or more and below 1
@@ -83,7 +84,10 @@ public record Variation(
                 .orElseGet(() -> written(quantity, distribution(quantity).applyAsDouble(u)));
     }
 
-    /** The least and greatest values as texts, by which to check that all values suit the setting. */
+    /**
+     * Values, written as in a scene file, by which to check that all values suit the setting: the listed ones, or the
+     * least and the greatest.
+     */
     public List<String> extremes(Quantity quantity) {
         return values.orElseGet(() -> List.of(value(quantity, 0.0), value(quantity, Math.nextDown(1.0))));
     }

@@ -6,10 +6,10 @@ import java.util.stream.Stream;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask bounds}, each of which holds for
- * all directions within a few degrees of its own, and from every distance of at least {@link #minRange()}. A mask is
- * only made once it has been requested several times, or for one large picture, since rendering a few small pictures
- * costs less than a mask. Thread-safe.
+ * The silhouettes of a level drone from all directions, as {@linkplain SilhouetteMask masks}: each mask belongs to a
+ * viewing direction, and holds for all directions within a few degrees of it and from every distance of at least
+ * {@link #minRange()}. A mask is made only once it has been requested several times, or for one large picture, since
+ * rendering a few small pictures costs less than a mask. Thread-safe.
  */
 public final class SilhouetteTable {
     private static final int AZIMUTHS = 120;

@@ -1,2 +1,2 @@
-/** Silhouettes of a mesh, as bounds, each of which holds for all directions within a few degrees of its own. */
+/** Bounds on the silhouettes of a mesh: each belongs to a viewing direction, and holds for all directions near it. */
 package org.dronewatch.drone.silhouette;

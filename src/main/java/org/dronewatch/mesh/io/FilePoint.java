@@ -6,12 +6,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A point in the coordinates of a model file, in its unit and along its axes. Unlike those of a position, its
- * coordinates may be as large as those of a national grid, even in millimetres.
+ * A point in the coordinates of a model file, in the file's unit and along its axes. Unlike the coordinates of a
+ * position, those of a file point may be as large as the coordinates of a national grid, even in millimetres.
  *
- * @param x first coordinate in the file, -1e10 to 1e10 of its units
- * @param y second coordinate in the file, -1e10 to 1e10 of its units
- * @param z third coordinate in the file, -1e10 to 1e10 of its units
+ * @param x first coordinate in the file, -1e10 to 1e10 of the file's units
+ * @param y second coordinate in the file, -1e10 to 1e10 of the file's units
+ * @param z third coordinate in the file, -1e10 to 1e10 of the file's units
  */
 @InOrder
 public record FilePoint(

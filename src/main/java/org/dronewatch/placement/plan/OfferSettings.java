@@ -26,8 +26,8 @@ import org.dronewatch.setting.file.Node;
  * @param positioners positioners on which the sensor may be mounted instead of being fixed, by name; in the layout, the
  *     name of a sensor on a positioner ends with the name of the positioner. At each position, there is one candidate
  *     on each positioner, in addition to one for each aim; none by default
- * @param exclusive whether at most one such sensor, among all candidates and the sensors that are kept, may occupy a
- *     position; {@code false} by default
+ * @param exclusive whether such a sensor rules out other exclusive sensors, and sensors that are kept, at its position;
+ *     {@code false} by default
  * @param atLeast minimum number of such sensors in the layout; 0 by default
  * @param atMost maximum number of such sensors in the layout; no limit by default
  */

@@ -2,7 +2,7 @@ package org.dronewatch.placement.plan;
 
 /** The quantity that a placement maximises. */
 public enum PlaceObjective {
-    /** The fraction of the airspace that at least one sensor covers. */
+    /** The fraction of the airspace that at least one sensor, or as many as the conditions require, covers. */
     COVERAGE,
     /** The time from the first detection of a drone that flies straight in to its arrival at the protected zone. */
     WARNING_TIME,

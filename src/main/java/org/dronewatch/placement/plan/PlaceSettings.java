@@ -13,7 +13,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * A placement: a search for the sensors and positions that cover the most airspace within a budget.
+ * A placement: a search for the sensors and positions that best serve an objective, such as coverage of the airspace,
+ * within a budget.
  *
  * @param scene a packaged scene by name, or a scene file in the directory of this file or below it
  * @param drone the drone of the scene that is to be detected; the first by default

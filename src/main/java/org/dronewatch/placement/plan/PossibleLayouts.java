@@ -10,7 +10,7 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * Whether the numbers of sensors that a plan asks for are possible at all, which can be checked before any candidate is
- * assessed. That exclusive sensors may not share a position is left to the search.
+ * assessed. The rule that exclusive sensors may not share a position is left to the search.
  */
 public final class PossibleLayouts {
     private final PlacePlan plan;

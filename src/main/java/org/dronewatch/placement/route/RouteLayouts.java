@@ -167,8 +167,8 @@ public final class RouteLayouts {
         }
 
         /**
-         * {@inheritDoc} It is the direction from which the drone was least likely to be detected before; in a tie, the
-         * one from which the most is gained.
+         * {@inheritDoc} The gain is that in the direction from which the drone was least likely to be detected before;
+         * in a tie, in the one from which the most is gained.
          */
         @Override
         public Optional<SectorGain> gain(Optional<RoutePlacement> before, RoutePlacement after) {

@@ -11,14 +11,14 @@ public enum BuyingRule {
 
     /**
      * From the last purchase backwards: at each step, the sensor that contributes least per unit of price is left out.
-     * Where several sensors must detect the drone, the first of them are worth nothing by themselves.
+     * Used where several sensors must detect the drone, since the first of them are worth nothing by themselves.
      */
     LEAST_LOST,
 
     /**
      * From the last purchase backwards: each step leaves out the sensor without which the worst case is best or, in a
-     * tie, the one that contributes least over all cases per unit of price. Where only the worst case counts, the first
-     * sensors often do not improve it.
+     * tie, the one that contributes least over all cases per unit of price. Used where only the worst case counts,
+     * since the first sensors often do not improve it.
      */
     BEST_LEFT;
 

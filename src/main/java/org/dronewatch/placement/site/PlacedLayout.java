@@ -85,7 +85,10 @@ public interface PlacedLayout {
         return result().chosen().stream().map(plan().candidates()::get).toList();
     }
 
-    /** By how much the bound exceeds the value, as a fraction of the value; infinite for a value of 0. */
+    /**
+     * By how much the bound exceeds the value, as a fraction of the value: 0 if it does not, otherwise infinite for a
+     * value of 0.
+     */
     default double gap() {
         return bound() <= value() ? 0.0 : bound() / value() - 1.0;
     }

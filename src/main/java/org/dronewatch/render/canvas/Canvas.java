@@ -44,12 +44,21 @@ public final class Canvas {
         this.triangle = other.triangle;
     }
 
-    /** Mixes a colour into a pixel, by a fraction from 0 to 1. */
+    /**
+     * Mixes a colour into a pixel.
+     *
+     * @param pixel index of the pixel in {@link #rgb}
+     * @param colour red, green and blue in the lowest 24 bits
+     * @param share fraction of the new colour, 0 to 1
+     */
     public void blend(int pixel, int colour, double share) {
         rgb[pixel] = mix(rgb[pixel], colour, share);
     }
 
-    /** A colour between two: the first for a {@code share} of 0, the second for 1. */
+    /**
+     * A colour between two, all with red, green and blue in the lowest 24 bits: the first for a {@code share} of 0, the
+     * second for 1.
+     */
     public static int mix(int below, int above, double share) {
         int weight = (int) (share * 256.0 + 0.5);
         int r = (below >> 16 & 255) * (256 - weight) + (above >> 16 & 255) * weight >> 8;

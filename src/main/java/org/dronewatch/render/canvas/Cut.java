@@ -25,7 +25,7 @@ public record Cut(Position normal, double offset) {
         return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
     }
 
-    /** Distance of a point beyond the plane; negative on the visible side, m. */
+    /** Distance of a point beyond the plane, m; negative on the visible side. */
     public double depth(double x, double y, double z) {
         return normal.x() * x + normal.y() * y + normal.z() * z - offset;
     }
@@ -36,8 +36,8 @@ public record Cut(Position normal, double offset) {
     }
 
     /**
-     * Scalar product of a vector with the normal: by how much the depth of a point grows when it is moved by the
-     * vector, m.
+     * The increase of the {@link #depth} of a point that is moved by a vector, m: the scalar product of the vector with
+     * the normal.
      */
     public double rate(double dx, double dy, double dz) {
         return normal.x() * dx + normal.y() * dy + normal.z() * dz;

@@ -45,7 +45,13 @@ public final class Flights {
         }
     }
 
-    /** A drone at a time, with its path until then and from then on. */
+    /**
+     * A drone at a time, with its path until then and from then on.
+     *
+     * @param drone the drone at this time
+     * @param time seconds since the start of the run
+     * @param detected whether a sensor detects the drone at this time
+     */
     public synchronized DroneMark mark(Drone drone, double time, boolean detected) {
         sample();
         List<Position> path = positions.get(drone.id());
@@ -59,7 +65,7 @@ public final class Flights {
         return new DroneMark(drone, flown, toCome, detected);
     }
 
-    /** The box around all sensors and the parts of all flights known so far, with a margin, m. */
+    /** The box, m, around all sensors and those parts of all flights that are known so far, with a margin. */
     public synchronized AABB interest(SceneSettings settings) {
         sample();
         if (boxed != sampled) {

@@ -40,12 +40,20 @@ public final class LinePainter {
         bottom = last;
     }
 
-    /** Draws a line between two points of the world, with a width in pixels and an opacity from 0 to 1. */
+    /**
+     * Draws a line between two points of the world.
+     *
+     * @param a one end, m
+     * @param b the other end, m
+     * @param width width of the line, pixels
+     * @param colour red, green and blue in the lowest 24 bits
+     * @param share opacity of the line, 0 to 1
+     */
     public void line(Position a, Position b, double width, int colour, double share) {
         line(a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), width, colour, share);
     }
 
-    /** Draws a line between two points of the world, with a width in pixels and an opacity from 0 to 1. */
+    /** Draws a line between two points of the world, as {@link #line(Position, Position, double, int, double)}. */
     public void line(
             double ax, double ay, double az, double bx, double by, double bz, double width, int colour, double share) {
         double first = 0.0;

@@ -25,6 +25,7 @@ public final class WatcherColours {
 
     private final Map<List<String>, Color> colours = new LinkedHashMap<>();
 
+    /** Assigns colours to parts of flights, in the given order. */
     public WatcherColours(List<FlightStretch> stretches) {
         int number = 0;
         for (FlightStretch stretch : stretches) {
@@ -36,6 +37,7 @@ public final class WatcherColours {
         }
     }
 
+    /** The colour of one of these parts. */
     public Color of(FlightStretch stretch) {
         return colours.get(stretch.sensors());
     }

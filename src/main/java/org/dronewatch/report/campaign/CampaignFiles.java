@@ -29,8 +29,9 @@ import org.dronewatch.setting.PlainText;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * The directory of a campaign. Each chunk of cases is written whole once it is complete; only the same campaign can be
- * resumed from these chunks. One process at a time may write into the directory. For use by one thread.
+ * The directory of a campaign. The results of each chunk of consecutive cases are written together once the chunk is
+ * complete; only the same campaign can be resumed from these chunks. One process at a time may write into the
+ * directory. For use by one thread.
  */
 public final class CampaignFiles implements AutoCloseable {
     /** The directory of the chunks of the campaign's cases. */

@@ -19,6 +19,8 @@ public final class CampaignPart {
     /**
      * A part of a campaign.
      *
+     * @param plan plan of the whole campaign
+     * @param directory directory that holds the results of the part
      * @throws InputException with a one-line message when the directory does not hold this campaign
      */
     public CampaignPart(CampaignPlan plan, Path directory) {
@@ -41,6 +43,7 @@ public final class CampaignPart {
      * The results of a chunk; empty if the directory does not hold them.
      *
      * @param cases the cases of the campaign, or those that show which settings matter
+     * @param chunk index of the chunk, from 0
      */
     public Optional<List<CaseResult>> find(Cases cases, int chunk) {
         Path chunks = directory.resolve(cases == plan ? CampaignFiles.CHUNKS : CampaignFiles.SENSITIVITY);

@@ -43,6 +43,7 @@ public final class RemoteChunks {
      * Reads the bytes of a chunk.
      *
      * @param cases the cases of the campaign, or those that show which settings matter
+     * @param chunk index of the chunk, from 0
      * @return the results, ordered by case, then by variant
      * @throws IllegalStateException when the bytes are not those of this chunk
      */

@@ -15,7 +15,7 @@ public final class CauseMap {
     private final CauseLegend legend;
 
     /**
-     * The map of the height with the given index.
+     * The map of the height with the given index, from 0 for the lowest.
      *
      * @param inputs the inputs of the coverage
      */
@@ -26,7 +26,7 @@ public final class CauseMap {
         this.legend = CauseLegend.of(summary.coverage(), height, numbers.known());
     }
 
-    /** The fill of a cell. */
+    /** The fill of a cell, given by its column from the west and its row from the north, both from 0. */
     public MapSheet.Fill fill(int column, int row) {
         return legend.at(column, row).fill();
     }

@@ -55,7 +55,7 @@ public final class ChangeMap {
     private final int height;
 
     /**
-     * The map of the height with the given index.
+     * The map of the height with the given index, from 0 for the lowest.
      *
      * @param before coverage of the first layout
      * @param after coverage of the second layout in the same cells
@@ -66,7 +66,7 @@ public final class ChangeMap {
         this.height = height;
     }
 
-    /** The fill of a cell. */
+    /** The fill of a cell, given by its column from the west and its row from the north, both from 0. */
     public MapSheet.Fill fill(int column, int row) {
         return at(column, row).fill();
     }

@@ -9,7 +9,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** The tables of a plan at one height, in machine-readable form. */
+/** The tables of the coverage at one height, in machine-readable form. */
 public final class PlanJson {
     private PlanJson() {}
 

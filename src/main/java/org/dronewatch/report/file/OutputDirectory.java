@@ -112,7 +112,7 @@ public final class OutputDirectory implements AutoCloseable {
 
     /**
      * The label files that an earlier run left in the target, as paths within it: {@code coco.json}, and the pictures
-     * with names as runs give them; empty if there is no {@code coco.json}.
+     * whose names have the form that runs give them; empty if there is no {@code coco.json}.
      */
     public List<String> formerLabels() throws IOException {
         Path pictures = target.resolve(Labels.PICTURES);

@@ -16,6 +16,7 @@ public final class Table implements AutoCloseable {
     private final CsvWriter writer;
     private boolean closed;
 
+    /** Creates a file, or replaces an existing one, and writes the header. */
     public Table(Path file, String... header) throws IOException {
         // Not a channel, because an interrupt would close it in the middle of a row.
         this.stream = new FileOutputStream(file.toFile());
@@ -31,6 +32,7 @@ public final class Table implements AutoCloseable {
         }
     }
 
+    /** Writes a row. */
     public void row(String... values) {
         writer.writeRecord(values);
     }

@@ -32,8 +32,8 @@ public final class ReadableNumbers {
     }
 
     /**
-     * The smallest and the largest of some values, with one decimal place: {@code 3.0 to 7.5}; a dash if there are no
-     * values.
+     * The smallest and the largest of some values, with one decimal place: {@code 3.0 to 7.5}, or only {@code 3.0} if
+     * both are the same; a dash if there are no values.
      */
     public static String range(DoubleStream values) {
         DoubleSummaryStatistics all = values.summaryStatistics();
@@ -45,6 +45,7 @@ public final class ReadableNumbers {
         return least.equals(greatest) ? least : least + " to " + greatest;
     }
 
+    /** Formats values as {@link String#format(String, Object...)} does, independently of the locale. */
     public static String format(String pattern, Object... values) {
         return String.format(Locale.ROOT, pattern, values);
     }

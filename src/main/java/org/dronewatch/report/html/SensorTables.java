@@ -77,6 +77,7 @@ public final class SensorTables {
         return sensor instanceof Record parts ? Described.of(parts, Set.of("position", "rate")) : sensor.toString();
     }
 
+    /** The coordinates of a position to the east, north and up, m: {@code -44.0, 124.0, 12.5}. */
     public static String coordinates(Position at) {
         return format("%.1f, %.1f, %.1f", at.x(), at.y(), at.z());
     }

@@ -7,7 +7,10 @@ import org.dronewatch.placement.plan.PlacePlan;
 import org.dronewatch.placement.plan.WarningMeasure;
 import org.dronewatch.placement.site.SectorGain;
 
-/** Describes the values of an objective in words. */
+/**
+ * Describes the values of an objective in words. A value is a fraction of the airspace, 0 to 1; a warning time, s; or
+ * the exposure on the weakest route, on which the drone is detected with a probability of 1 - exp(-exposure).
+ */
 public interface PlaceMeasure {
     /** The measure of a plan's objective. */
     static PlaceMeasure of(PlacePlan plan) {
@@ -28,7 +31,7 @@ public interface PlaceMeasure {
      */
     String purpose();
 
-    /** How values are averaged, as the end of a sentence on one of the values; or an empty text. */
+    /** Over which headings a value is averaged, as the end of a sentence about the value; or an empty text. */
     default String headingsClause() {
         return "";
     }

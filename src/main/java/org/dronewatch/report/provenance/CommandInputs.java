@@ -11,7 +11,7 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * The files that describe what a command does, which its results must not replace.
+ * The files that describe what a command does; its results must not replace them.
  *
  * @param files their paths
  */

@@ -8,9 +8,9 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * The kind of command that results come from, recognised by files that only its results include. Commands write files
- * with the same names, such as {@code provenance.json}, so the results of two commands in one directory would partly
- * replace each other.
+ * The kind of command that results come from, recognised by files that are included only in results of this kind.
+ * Different commands write some files under the same names, such as {@code provenance.json}, so the results of two
+ * commands in one directory would partly replace each other.
  */
 public enum ResultKind {
     /** Results of {@code run}. */

@@ -13,7 +13,7 @@ import org.dronewatch.route.proof.RouteProof;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * The inputs of a search for routes, as its files state them.
+ * The inputs of a search for routes, as stated in its result files.
  *
  * @param scene name of the scene
  * @param drone name of the drone

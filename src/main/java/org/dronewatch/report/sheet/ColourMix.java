@@ -18,7 +18,12 @@ public final class ColourMix {
                 (int) Math.round((1 - share) * below.getBlue() + share * above.getBlue()));
     }
 
-    /** A pixel mixed with a colour that lies over it: red, green and blue in the lowest 24 bits. */
+    /**
+     * A pixel mixed with a colour that lies over it: red, green and blue in the lowest 24 bits.
+     *
+     * @param below the pixel, in the same form
+     * @param share fraction of the colour above, 0 to 1
+     */
     public static int of(int below, Color above, double share) {
         return of(below, above.getRGB(), share);
     }

@@ -50,7 +50,13 @@ public final class MapSheet {
      * pattern.
      */
     public interface Fill {
-        /** The colour of a pixel over that of the ground: red, green and blue in the lowest 24 bits. */
+        /**
+         * The colour of a pixel of the cell or swatch: red, green and blue in the lowest 24 bits.
+         *
+         * @param u column of the pixel, from the left edge of the map or swatch
+         * @param v row of the pixel, from the top edge of the map or swatch
+         * @param ground the colour of the ground below, in the same form
+         */
         int at(int u, int v, int ground);
     }
 
@@ -180,7 +186,7 @@ public final class MapSheet {
         write(text, MAP + MARGIN + 2 * SWATCH_WIDTH + 12);
     }
 
-    /** Writes a legend entry, preceded by a sample of a line with a black edge. */
+    /** Writes a legend entry, preceded by a sample of a line with a black edge; the width is in pixels. */
     public void sample(Color colour, float width, String text) {
         drawSample(Color.BLACK, new BasicStroke(width + 2f), 0);
         sample(colour, new BasicStroke(width), 1, text);

@@ -7,10 +7,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.route.search.RouteMode;
 
 /**
- * How exposed a drone is at a position: the rate at which it is detected, given that it has not been yet. Its integral
- * along a flight is the exposure E, and the flight is detected with the probability {@code 1 - exp(-E)}. A sensor that
- * looks f times a second and detects the drone in each look with probability p, independently of the other looks, has
- * the rate {@code -f ln(1 - p)}.
+ * How exposed a drone is at a position: the rate at which it is detected, given that it has not been detected yet. Its
+ * integral along a flight is the exposure E, and the flight is detected with the probability {@code 1 - exp(-E)}. A
+ * sensor that looks f times a second and detects the drone in each look with probability p, independently of the other
+ * looks, has the rate {@code -f ln(1 - p)}.
  *
  * <p>Implementations are immutable and thread-safe.
  */

@@ -12,6 +12,7 @@ import org.dronewatch.setting.Quantity;
  * @param constant rate that is added to the fields' rates, 0 or more, 1/s
  */
 public record SummedExposure(List<ExposureField> parts, double constant) implements ExposureField {
+    /** Copies the list, and checks that the constant is not negative. */
     public SummedExposure {
         parts = List.copyOf(parts);
         Check.notNegative("rate", constant, Quantity.NUMBER);

@@ -19,9 +19,9 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * A route that is flown past the sensors of a scene, with every look that a run takes at the drone assessed at the
- * drone's position at that moment. The route begins at several equally likely moments within the period of the slowest
- * scan ({@link RouteStarts}): all figures are means over these moments. Positioners only search, since what they follow
- * depends on chance. Immutable and thread-safe.
+ * drone's position at the moment of the look. The route begins at several equally likely moments within the period of
+ * the slowest scan ({@link RouteStarts}): all figures are means over these moments. Positioners only search, since what
+ * they follow depends on chance. Immutable and thread-safe.
  */
 public final class FlownRoute {
     /** The assumed standard deviation, as a fraction of the mean, of the time that is left and of the response time. */
@@ -150,8 +150,8 @@ public final class FlownRoute {
     /**
      * The probability of a timely detection, by the EASI model ({@link TimelyDetection}): that the scene's rule raises
      * an alert early enough before the end of the route for the response. The whole remainder of the flight after an
-     * alert is one task. The mean duration of this task is the planned one and its standard deviation 30 % of that; the
-     * same holds for the response.
+     * alert is one task. The mean duration of this task is the planned one, and the standard deviation is 30 % of the
+     * mean; the same holds for the response.
      *
      * @param response time that the response takes, 0 or more, s
      * @return the probability, 0 to 1; empty where it cannot be computed from single looks: if the rule needs several
@@ -175,7 +175,7 @@ public final class FlownRoute {
     /**
      * Flies the route with many seeds, on the {@link Workers} of the calling thread; the result does not depend on how
      * many workers there are. Run {@code i} has the seed {@link RouteProof#seed}, and the runs begin at the moments of
-     * {@link RouteStarts} in turn. One in twenty is repeated as a plain run, by a
+     * {@link RouteStarts} in turn. One run in twenty is repeated as a plain run, by a
      * {@link org.dronewatch.run.RunSession}. In a run, observers also search for the drone while it waits for its route
      * to begin: if they could see it there, the probability of detection that the {@link RouteProof} predicts is higher
      * than {@link #detection}.

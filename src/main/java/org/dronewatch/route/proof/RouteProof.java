@@ -17,10 +17,11 @@ import org.dronewatch.statistics.Proportion;
 /**
  * A route checked by trial flights: how often runs of its scene detect the drone, and how often they should. The
  * prediction is {@code 1 - prod(1 - p)} over all looks that a run takes, where p is the probability of detection in a
- * look, assessed at the drone's position at that moment; for observers, who draw one random number per encounter rather
- * than per look, the prediction is the mean over all values of that number. Positioners only search in these runs,
- * since what they follow depends on chance. Where software looks for spots in the images of a thermal camera,
- * successive looks share frames and so are not independent: for such cameras, the prediction is too high.
+ * look, assessed at the drone's position at the moment of the look; for cameras whose pictures an observer searches, a
+ * run draws one random number per encounter rather than per look, and the prediction is the mean over all values of
+ * that number. Positioners only search in these runs, since what they follow depends on chance. Where software looks
+ * for spots in the images of a thermal camera, successive looks share frames and so are not independent: for such
+ * cameras, the prediction is too high.
  *
  * @param detection the predicted mean probability that a run detects the drone, and the proportion of runs that do
  * @param bySensor by name, the predicted probability that each sensor would detect the drone if it were the only one
@@ -29,8 +30,8 @@ import org.dronewatch.statistics.Proportion;
  *     or where the probability cannot be computed ({@link FlownRoute#interruption})
  * @param plain the number of runs, evenly spread, that were repeated as plain runs, by a
  *     {@link org.dronewatch.run.RunSession}
- * @param cued proportion of runs that detected the drone when the first of these runs were repeated with all cues;
- *     empty if none were repeated
+ * @param cued proportion of runs that detected the drone when some of the runs, from run 0 on, were repeated with all
+ *     cues; empty if none were repeated
  */
 public record RouteProof(
         ProvenChance detection,
@@ -48,9 +49,9 @@ public record RouteProof(
 
     /**
      * Runs a scene with many seeds, on the {@link Workers} of the calling thread; the result does not depend on how
-     * many workers there are. Run {@code i} has the seed {@link #seed}. One in twenty is repeated as a plain run, by a
-     * {@link org.dronewatch.run.RunSession}, which must give the same first detection and, where alerts are predicted,
-     * the same alert.
+     * many workers there are. Run {@code i} has the seed {@link #seed}. One run in twenty is repeated as a plain run,
+     * by a {@link org.dronewatch.run.RunSession}, which must give the same first detection and, where alerts are
+     * predicted, the same alert.
      *
      * @param scene scene with one drone, such as a {@link RouteScene}; the scene's cues are ignored
      * @param models models of the scene

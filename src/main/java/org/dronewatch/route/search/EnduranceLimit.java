@@ -9,13 +9,13 @@ import org.dronewatch.geometry.Position;
 
 /**
  * The weakest route of a drone that can fly under power only for a limited time. It is found by means of a price of
- * time, a Lagrange multiplier, which is raised until the route is short enough and then refined by bisection. For every
- * price, the least sum of exposure and priced time, less the price of the longest time allowed, is a lower bound on the
- * exposure along all routes that are short enough (the dual bound). Of several routes with the same sum, those between
- * the shortest and the least exposed are not found, so a gap may remain. Therefore routes that take too long are
- * also flown faster until they are short enough. Where the limit hardly allows a detour, the price would have to be
- * very high, and a bound on all routes within a narrow spheroid about the straight line is better. For use by one
- * thread at a time.
+ * time, a Lagrange multiplier, which is raised until the route is short enough and then refined by bisection. If no
+ * mode is a glide, the least sum of exposure and priced time at any price, less the price of the longest time allowed,
+ * is a lower bound on the exposure along all routes that are short enough (the dual bound). Of several routes with the
+ * same sum, those between the shortest and the least exposed are not found, so a gap may remain. Therefore routes that
+ * take too long are also flown faster until they are short enough. Where the limit hardly allows a detour, the price
+ * would have to be very high, and a bound on all routes within a narrow spheroid about the straight line is better. For
+ * use by one thread at a time.
  */
 public final class EnduranceLimit {
     /** The exposure for which the whole time counts at the first price. */

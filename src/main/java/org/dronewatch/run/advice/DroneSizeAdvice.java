@@ -5,7 +5,7 @@ import org.dronewatch.geometry.AABB;
 import org.dronewatch.run.model.ModelCache;
 import org.dronewatch.scenario.SceneSettings;
 
-/** Warns of drones whose models are in millimetres, but are read as metres. */
+/** Warns of drones so large that their models were probably made in millimetres, but are read as metres. */
 public record DroneSizeAdvice(SceneSettings settings) {
     /** No drone has such a span, m. */
     private static final double LARGEST = 100.0;

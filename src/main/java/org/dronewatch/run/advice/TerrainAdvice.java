@@ -22,7 +22,10 @@ public record TerrainAdvice(SceneSettings settings, Ground ground) {
     /** How many places of a flight are looked at. */
     private static final int PLACES = 200;
 
-    /** Gives one line for each sensor and each flight that is somewhere beyond the known ground. */
+    /**
+     * Gives one line for each sensor and each flight that is somewhere beyond the known ground, and for each sensor
+     * that applies the earth's curvature to curved ground.
+     */
     public void giveTo(Map<String, FlightPath> flights, Consumer<String> target) {
         settings.enabledSensors().forEach((id, sensor) -> {
             Position at = sensor.position();

@@ -30,7 +30,7 @@ public final class FlightPaths {
      * Begins without any paths.
      *
      * @param places places of the site, with its ground
-     * @param end end of the run, s since its start
+     * @param end end of the run, seconds since its start
      * @param files reads the files of flights
      */
     public FlightPaths(Places places, double end, ModelCache files) {

@@ -12,8 +12,8 @@ public final class EmissionTime {
     private EmissionTime() {}
 
     /**
-     * Solves {@code speed * (time - emission) = distance at emission}. For a drone faster than the signal there may be
-     * several solutions, of which one is returned.
+     * The time of emission, which solves {@code speed * (time - emission) = distance at emission}. For a drone faster
+     * than the signal there may be several solutions, of which one is returned.
      *
      * @param time when the signal arrives, s
      * @param speed speed of the signal, m/s

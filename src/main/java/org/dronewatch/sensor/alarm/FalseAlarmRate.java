@@ -4,9 +4,9 @@ package org.dronewatch.sensor.alarm;
  * The rate of a sensor's false alarms. They begin independently of each other, with the same probability in every look
  * and in every cell: their number in a look is Poisson-distributed.
  *
- * @param perLook expected number of false alarms that begin in one look, 0 or more; multiplied by {@code looks}, at
- *     most {@link #MOST_PER_LOOK}
- * @param cells number of cells of its field of view that the sensor, or its tracker, distinguishes, 1 or more: only
+ * @param perLook expected number of false alarms that begin in one look, 0 or more; this number times {@code looks} is
+ *     at most {@link #MOST_PER_LOOK}
+ * @param cells number of cells of the field of view that the sensor, or its tracker, distinguishes, 1 or more: only
  *     false alarms in the same cell confirm each other
  * @param looks number of consecutive looks for which a false alarm lasts, 1 or more: 1 for noise, more for a bird or an
  *     aircraft

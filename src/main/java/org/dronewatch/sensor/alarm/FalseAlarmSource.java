@@ -50,7 +50,7 @@ public final class FalseAlarmSource {
     }
 
     /**
-     * The source of a sensor's false alarms; empty for one that raises none, or whose rate is not known.
+     * The source of a sensor's false alarms; empty for a sensor that raises none, or whose rate is not known.
      *
      * @param settings settings of the sensor
      * @param weather weather of its site

@@ -50,8 +50,8 @@ public interface FalseAlarming {
      * The reading of a false alarm: a value that reaches the threshold.
      *
      * @param world the site
-     * @param excess excess of the noise power over the threshold, in units of its mean: 0 or more, exponentially
-     *     distributed with mean 1
+     * @param excess excess of the noise power over the threshold, divided by the mean noise power: 0 or more,
+     *     exponentially distributed with mean 1
      */
     Reading falseReading(World world, double excess);
 

@@ -16,12 +16,12 @@ import org.dronewatch.world.Weather;
  * The rate at which a sensor mistakes other things for drones, as stated by its manufacturer or counted in a trial.
  *
  * @param perHour number of false alarms that begin per hour in the whole field of view, 0 to 1e7
- * @param cells number of cells of its field of view that the sensor distinguishes, 1 to 1e9: only false alarms in the
- *     same cell confirm each other; at 1, the most cautious value, all of them do
+ * @param cells number of cells of the field of view that the sensor distinguishes, 1 to 1e9: only false alarms in the
+ *     same cell confirm each other; with 1, the most cautious value, all false alarms confirm each other
  * @param duration duration of a false alarm, 0 to 600 s; 0 for one look, as for noise. A false alarm that lasts is
  *     confirmed like a drone
- * @param weather rates for particular weather or light: the highest of those whose conditions the site meets applies
- *     instead of {@code perHour}; unless set, the rate is the same in all weather
+ * @param weather rates for particular weather or light: the highest rate whose conditions the site meets replaces
+ *     {@code perHour}; unless set, the rate is the same in all weather
  */
 public record FalseAlarms(
         @In(value = Quantity.NUMBER, from = 0, to = 1e7) double perHour,

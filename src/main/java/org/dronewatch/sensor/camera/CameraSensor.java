@@ -183,7 +183,9 @@ public final class CameraSensor implements BoundingSensor {
         return picture.camera().isOutside(at.x(), at.y(), at.z(), drone.radius());
     }
 
-    /** {@inheritDoc} The number of pixels does not depend on the speed. */
+    /**
+     * {@inheritDoc} True if the detection function only counts pixels, since their number does not depend on the speed.
+     */
     @Override
     public boolean isSameAtAllSpeeds() {
         return settings.detection().countsPixelsOnly();

@@ -168,7 +168,7 @@ public record TargetTask(
     }
 
     /**
-     * {@inheritDoc} It is the probability of detection: a detected drone can be followed, even if it cannot be
+     * {@inheritDoc} The value is the probability of detection: a detected drone can be followed, even if it cannot be
      * recognised or identified yet.
      */
     @Override

@@ -53,8 +53,8 @@ public final class CameraObject {
      *
      * @param position its centre of projection, m
      * @param direction line of sight of the camera, of any non-zero length
-     * @param width pixels in a row
-     * @param height rows
+     * @param width number of pixels per row
+     * @param height number of rows
      * @param focalLength focal length in pixels
      */
     public CameraObject(Position position, Position direction, int width, int height, double focalLength) {
@@ -68,8 +68,8 @@ public final class CameraObject {
      * @param direction line of sight of the camera, of any non-zero length
      * @param roll rotation about that direction, its right side down, rad; at 0 the horizon is level, and north is at
      *     the top if the camera looks straight down
-     * @param width pixels in a row
-     * @param height rows
+     * @param width number of pixels per row
+     * @param height number of rows
      * @param focalLength focal length in pixels
      * @param lens position of its axis in the image, and its near and far planes
      */
@@ -224,8 +224,8 @@ public final class CameraObject {
     }
 
     /**
-     * Whether a sphere is entirely outside the image, or nearer than the near plane or beyond the far plane; true only
-     * if that is certain.
+     * Whether a sphere, given by its centre and radius, m, is entirely outside the image, or nearer than the near plane
+     * or beyond the far plane; true only if that is certain.
      */
     public boolean isOutside(double x, double y, double z, double radius) {
         double dx = x - position.x();
@@ -311,12 +311,12 @@ public final class CameraObject {
         return position;
     }
 
-    /** Pixels in a row. */
+    /** The number of pixels per row. */
     public int width() {
         return width;
     }
 
-    /** Rows of the image. */
+    /** The number of rows of the image. */
     public int height() {
         return height;
     }

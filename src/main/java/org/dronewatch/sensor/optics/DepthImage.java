@@ -24,8 +24,10 @@ public final class DepthImage {
     private final boolean[] hits;
 
     /**
-     * An image from its pixels, row by row from the top; copies them.
+     * An image from its pixels, row by row from the top; copies the arrays.
      *
+     * @param distances distance along each pixel's ray, m; infinity where it hits nothing
+     * @param hits whether each pixel shows a drone
      * @throws IllegalArgumentException if the arrays do not have width times height elements
      */
     public DepthImage(int width, int height, float[] distances, boolean[] hits) {
@@ -51,12 +53,12 @@ public final class DepthImage {
         return new DepthImage(camera, distances, hits);
     }
 
-    /** Pixels in a row. */
+    /** The number of pixels per row. */
     public int width() {
         return width;
     }
 
-    /** Rows. */
+    /** The number of rows. */
     public int height() {
         return height;
     }

@@ -40,8 +40,8 @@ public final class ImageSpeed {
     }
 
     /**
-     * The fraction of the line pairs across the square root of an area that remains if the image is blurred along one
-     * of its two dimensions: {@code (1 + b^2)^(-1/4)}.
+     * The fraction of the line pairs resolvable across a target (across the square root of its area) that remains if
+     * motion blurs one of the two dimensions of the image: {@code (1 + b^2)^(-1/4)}.
      *
      * @param blur b, 0 or more, pixels
      */

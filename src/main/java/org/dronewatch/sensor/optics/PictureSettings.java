@@ -30,10 +30,10 @@ public interface PictureSettings extends Aimed, Imaging {
         return Projection.DEFAULT;
     }
 
-    /** Pixels in a row. */
+    /** The number of pixels per row. */
     int width();
 
-    /** Rows of the image. */
+    /** The number of rows of the image. */
     int height();
 
     @Override

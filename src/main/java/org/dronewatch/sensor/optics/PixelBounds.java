@@ -8,10 +8,10 @@ import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**
- * Bounds on the number of pixels that show a level drone at a position; they hold for every heading. The rays of the
- * pixels around the drone are looked up in masks of its silhouette, and in the image of the site. Only rays for which
- * neither gives a certain answer are traced to the drone, and only on request. Reused for many positions. For use by
- * one thread.
+ * Bounds on the number of pixels that show a level drone at a position, for one heading ({@link #count}) or for every
+ * heading ({@link #mostAround}). The rays of the pixels around the drone are looked up in masks of its silhouette, and
+ * in the image of the site. Only rays for which neither gives a certain answer are traced to the drone, and only on
+ * request. Reused for many positions. For use by one thread.
  */
 public final class PixelBounds {
     /** Rays that are traced before bounds that did not suffice are checked again. */
@@ -264,22 +264,28 @@ public final class PixelBounds {
         countsHidden = true;
     }
 
-    /** A lower bound on the number of pixels that show the drone. */
+    /** A lower bound on the number of pixels that show the drone at the heading that was counted last. */
     public int least() {
         return least;
     }
 
-    /** An upper bound on the number of pixels that show the drone. */
+    /** An upper bound on the number of pixels that show the drone at the heading that was counted last. */
     public int most() {
         return most;
     }
 
-    /** A lower bound on the number of pixels that would show the drone if nothing hid it. */
+    /**
+     * A lower bound on the number of pixels that would show the drone, at the heading that was counted last, if nothing
+     * hid it.
+     */
     public int leastInTheOpen() {
         return leastInTheOpen;
     }
 
-    /** An upper bound on the number of pixels that would show the drone if nothing hid it. */
+    /**
+     * An upper bound on the number of pixels that would show the drone, at the heading that was counted last, if
+     * nothing hid it.
+     */
     public int mostInTheOpen() {
         return mostInTheOpen;
     }

@@ -10,8 +10,8 @@ import org.dronewatch.kdtree.RayTracer;
 import org.jogamp.vecmath.Matrix4d;
 
 /**
- * Bounds on the {@link VisibleArea} of a level drone if nothing hides it: the rays of its bundle are looked up in a
- * mask of its silhouette instead of being traced. Not thread-safe.
+ * Bounds on the {@link VisibleArea} of a level drone if nothing hides it: the rays that sample the drone are looked up
+ * in a mask of its silhouette instead of being traced. Not thread-safe.
  */
 public final class SilhouetteArea {
     /** Rounding of sums, and of distances. */

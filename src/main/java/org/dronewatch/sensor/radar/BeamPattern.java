@@ -55,8 +55,8 @@ public record BeamPattern(
     }
 
     /**
-     * A beam steered in both planes, with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1) and a scan loss with the
-     * exponent 1.5, which is assumed.
+     * A beam with the given half-power beamwidths, rad, steered in both planes, with side lobes 30 dB below the main
+     * lobe (3GPP TR 38.901, table 7.3-1) and a scan loss with the exponent 1.5, which is assumed.
      */
     @Defaults({"azimuthBeamwidth", "elevationBeamwidth"})
     public static BeamPattern of(double azimuthBeamwidth, double elevationBeamwidth) {

@@ -33,8 +33,8 @@ public sealed interface DopplerFilter {
      * V. Oppenheim, R. W. Schafer, Discrete-Time Signal Processing, appendix B.
      *
      * @param halfPowerSpeed the radial speed w at which half of the power passes, above 0 and at most 1000 m/s
-     * @param order the order n: far below that speed, the response falls by 6 n dB each time the speed is halved, 1 to
-     *     20
+     * @param order the order n, 1 to 20: far below that speed, the response falls by 6 n dB each time the speed is
+     *     halved
      */
     record HighPass(
             @In(value = Quantity.SPEED, above = 0, to = 1000) double halfPowerSpeed,
@@ -49,7 +49,7 @@ public sealed interface DopplerFilter {
             Limits.check(HighPass.class, halfPowerSpeed, order);
         }
 
-        /** A second-order filter; the order is an assumption. */
+        /** A second-order filter with the given half-power speed, m/s; the order is an assumption. */
         @Defaults("halfPowerSpeed")
         public static HighPass of(double halfPowerSpeed) {
             return new HighPass(halfPowerSpeed, 2);

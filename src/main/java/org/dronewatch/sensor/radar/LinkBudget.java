@@ -63,8 +63,8 @@ public sealed interface LinkBudget {
      * Radar Handbook). P is the transmitted power, Gt and Gr are the gains of the antennas, lambda is the wavelength,
      * sigma the radar cross-section, r the range, k Boltzmann's constant, and F and L are the noise figure and the
      * losses as ratios. B is the noise bandwidth after coherent processing, one over the integration time, not that of
-     * the sweep. A radar with a known system temperature T instead of a noise figure has the noise figure 10 lg(T / 290
-     * K).
+     * the sweep. A radar with a known system temperature T instead of a noise figure has the noise figure
+     * {@code 10 lg(T / 290 K)} dB.
      *
      * @param power transmitted power, 1e-9 to 1e9 W
      * @param gain gain Gt of the antenna, for transmission and, unless stated otherwise, reception, -20 to 80 dBi
@@ -106,19 +106,19 @@ public sealed interface LinkBudget {
 
         /**
          * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2
-         * or 3 dB to 10 dB and more), losses of 6 dB and a sweep of 10 MHz. The losses are those of scanning and
-         * processing alone: a beam-shape loss of 2.5 dB, since a scanned beam rarely points straight at the drone (a
-         * Gaussian beam in two dimensions: D. K. Barton, Radar System Analysis and Modeling), 1.3 dB each for Hamming
-         * weighting in range and in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since the
-         * threshold is estimated from 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Losses in lines and
-         * radome are not included.
+         * or 3 dB to 10 dB and more), losses of 6 dB (rounded) and a sweep of 10 MHz. The losses are those of scanning
+         * and processing alone: a beam-shape loss of 2.5 dB, since a scanned beam rarely points straight at the drone
+         * (a Gaussian beam in two dimensions: D. K. Barton, Radar System Analysis and Modeling), 1.3 dB each for
+         * Hamming weighting in range and in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since
+         * the threshold is estimated from 32 cells (H. M. Finn and R. S. Johnson, RCA Review 29, 1968). Losses in lines
+         * and radome are not included.
          */
         @Defaults({"power", "gain", "integrationTime"})
         public static Hardware of(double power, double gain, double integrationTime) {
             return new Hardware(power, gain, integrationTime, 10e6, 5.0, 6.0);
         }
 
-        /** {@inheritDoc} It does not depend on the number of pulses. */
+        /** {@inheritDoc} The ratio does not depend on the number of pulses. */
         @Override
         public DoubleBinaryOperator echo(double frequency, int pulses) {
             return (crossSection, range) -> ofPulse(frequency, crossSection, range);

@@ -42,8 +42,8 @@ public sealed interface RadarDetection {
     /**
      * The reading of noise that exceeds the threshold.
      *
-     * @param excess excess of the noise power over the threshold, in units of its mean: 0 or more, exponentially
-     *     distributed with mean 1
+     * @param excess excess of the noise power over the threshold, divided by the mean noise power: 0 or more,
+     *     exponentially distributed with mean 1
      */
     Reading noise(double excess);
 
@@ -191,7 +191,7 @@ public sealed interface RadarDetection {
             };
         }
 
-        /** {@inheritDoc} The value is a mean over the pulses, in units of the mean noise. */
+        /** {@inheritDoc} The value is the mean over the pulses, dB relative to the mean noise of one pulse. */
         @Override
         public Reading noise(double excess) {
             return new SquareLawDetector(falseAlarm, pulses).noise(excess);

@@ -83,8 +83,8 @@ public final class Rain {
      * with the wavelength lambda, where the dielectric factor of water is {@code |K|^2 = 0.93} and the reflectivity
      * factor at a rain rate of R mm/h is {@code Z = 200 R^1.6 mm6/m3} (J. S. Marshall, W. Mc K. Palmer, Journal of
      * Meteorology 5, 1948; D. K. Barton, S. A. Leonov, Radar Technology Encyclopedia, "clutter, rain"). Compared with
-     * Mie sums over that drop-size distribution, the error is at most 3.2 dB from 5.6 to 35 GHz and 1 to 25 mm/h; at
-     * millimetre wavelengths the cross-section is far too high.
+     * Mie sums over the drop-size distribution of Marshall and Palmer, the error is at most 3.2 dB from 5.6 to 35 GHz
+     * and 1 to 25 mm/h; at millimetre wavelengths the cross-section is far too high.
      *
      * @param frequency carrier frequency, Hz
      * @param rate rain rate, 0 or more, mm/h

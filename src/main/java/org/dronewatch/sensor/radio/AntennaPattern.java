@@ -31,7 +31,10 @@ public record AntennaPattern(
         Limits.check(AntennaPattern.class, azimuthBeamwidth, elevationBeamwidth, sideLobes);
     }
 
-    /** An antenna with side lobes of -30 dB (3GPP TR 38.901, table 7.3-1). */
+    /**
+     * An antenna with the given half-power beamwidths, rad, and side lobes 30 dB below the main lobe (3GPP TR 38.901,
+     * table 7.3-1).
+     */
     @Defaults({"azimuthBeamwidth", "elevationBeamwidth"})
     public static AntennaPattern of(double azimuthBeamwidth, double elevationBeamwidth) {
         return new AntennaPattern(azimuthBeamwidth, elevationBeamwidth, 30.0);

@@ -232,7 +232,10 @@ public final class RadioPath {
         return across.times(1.0 / across.length());
     }
 
-    /** The obstacle whose edge causes the greatest loss between two positions; empty if no edge is near the line. */
+    /**
+     * The obstacle whose edge causes the greatest loss between two positions; empty if no edge is near the line.
+     * Parameters as for {@link #obstacleLoss}.
+     */
     public Optional<Obstacle> obstacle(Position from, Position to, double frequency) {
         if (!(from.distance(to) > 0.0)) {
             return Optional.empty();

@@ -10,8 +10,8 @@ import org.dronewatch.world.World;
  * straight line along the path that best fits the heights of the site within the first Fresnel zone about the point of
  * reflection; the deviations from it count as roughness. An obstacle that is near one of the two legs of the reflected
  * path, or obstructs it, weakens the reflection by its diffraction loss, so that the result has no step where an edge
- * rises into a leg. No reflection is counted where there is no ground. On a round earth, the heights above that line
- * are those above a sphere. For use by one thread.
+ * rises into a leg. No reflection is counted where there is no ground. On a round earth, heights are measured from a
+ * sphere that touches that line at the point of reflection. For use by one thread.
  */
 public final class TwoRays {
     private static final double LIGHT = 299_792_458.0;

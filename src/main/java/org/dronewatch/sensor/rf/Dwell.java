@@ -8,8 +8,8 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * The dwell of a receiver: the time in each look during which it listens to as many of a transmitter's channels as fit
- * into its bandwidth.
+ * The dwell of a receiver: the time in each look during which the receiver listens to as many of a transmitter's
+ * channels as fit into the receiver's bandwidth.
  *
  * @param time duration of one dwell, 1e-6 to 1000 s
  * @param overlap time by which a burst must overlap a dwell to be received, 0 to 1000 s
@@ -31,7 +31,7 @@ public record Dwell(
         }
     }
 
-    /** One dwell per look, in which any part of a burst suffices. */
+    /** One dwell per look, of the given duration, s, in which any part of a burst suffices. */
     @Defaults("time")
     public static Dwell of(double time) {
         return new Dwell(time, 0.0, 1);

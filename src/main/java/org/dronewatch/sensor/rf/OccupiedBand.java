@@ -40,7 +40,7 @@ public record OccupiedBand(
         }
     }
 
-    /** The 2.4 GHz band. */
+    /** The 2.4 GHz band, with the given power density, dBm per MHz, and occupancy, 0 to 1. */
     @Defaults({"density", "occupancy"})
     public static OccupiedBand of(double density, double occupancy) {
         return new OccupiedBand(density, occupancy, RadioBand.ISM_2400, Optional.empty(), Optional.empty());

@@ -223,7 +223,7 @@ public record RfSettings(
         return SettingsForm.with(this, "occupied", more);
     }
 
-    /** These settings with other types of emission that it can recognise as a drone's. */
+    /** These settings with other types of emission that the receiver can recognise as a drone's. */
     public RfSettings withRecognised(List<RadioLink.Emission> kinds) {
         return SettingsForm.with(this, "recognised", kinds);
     }

@@ -34,7 +34,7 @@ import org.dronewatch.world.World;
  * @param roll rotation about its axis, right side down, from a level horizon, -4 pi to 4 pi, rad
  * @param width pixels per row, 1 to 16384; at most 67,108,864 in the image
  * @param height rows of pixels, 1 to 16384
- * @param fov field of view, 0.01 to 179 degrees expressed in rad
+ * @param fov field of view, pi/18000 to 3.124 rad (0.01 to 179 degrees)
  * @param fovAxis the axis of the image along which the field of view is measured
  * @param projection position of its axis in the image, and its near and far planes
  * @param aperture diameter of the entrance pupil of its lens, which determines the blur due to diffraction, 1e-4 to

@@ -49,8 +49,11 @@ public final class Kinds {
         Set<String> names();
 
         /**
-         * The parts of the system with this name, by the suffix that each part adds to the name of the entry in the
-         * file; empty unless the name is that of a system.
+         * The parts of the system with this name; empty unless the name is that of a system. A system consists of
+         * several settings that are used together, for example those of a radar and of a camera.
+         *
+         * @return the parts by suffix: the name of a part is that of the system's entry in the file, followed by a
+         *     hyphen and the suffix
          */
         default Map<String, Node.Mapping> partsOf(String name) {
             return Map.of();

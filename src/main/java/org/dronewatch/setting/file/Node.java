@@ -101,7 +101,11 @@ public sealed interface Node {
             return of(all, places, over.mark);
         }
 
-        /** A mapping of values that come from code rather than from a file. */
+        /**
+         * A mapping of values that come from code rather than from a file.
+         *
+         * @param name stands for the name of a file in the locations of the values
+         */
         public static Mapping ofReady(String name, Map<String, ?> values) {
             Mark mark = new Mark(name, 1, 1);
             Map<String, Node> nodes = new LinkedHashMap<>();
@@ -113,7 +117,11 @@ public sealed interface Node {
             return of(nodes, places, mark);
         }
 
-        /** A mapping of nodes that come from code. */
+        /**
+         * A mapping of nodes that come from code.
+         *
+         * @param name stands for the name of a file in the locations of the nodes' names
+         */
         public static Mapping ofNodes(String name, Map<String, ? extends Node> nodes) {
             Mark mark = new Mark(name, 1, 1);
             Map<String, Mark> places = new LinkedHashMap<>();

@@ -50,9 +50,9 @@ public enum FileKind {
      * What is wrong with a file that its reader does not recognise, as the end of a message.
      *
      * @param name name of the file
-     * @param start the first bytes of the file, about 100
+     * @param start the first bytes of the file, of which at most 200 are used
      * @param wanted the setting in which the file was named: world.terrain, world.models or world.buildings
-     * @return empty if the kind of the file cannot be determined, or if the file belongs there
+     * @return what is wrong; empty if the kind of the file cannot be determined, or if the file belongs there
      */
     public static Optional<String> misplaced(String name, byte[] start, String wanted) {
         if (start.length == 0) {

@@ -32,9 +32,9 @@ import org.dronewatch.viewer.part.Texts;
 import org.dronewatch.world.World;
 
 /**
- * The inputs of a coverage, with the defaults of the {@code coverage} command, except where all sensors are under a
- * roof and the site is smaller than the default area: the side is then that of the site, and the heights are below the
- * ceiling.
+ * A form for the inputs of a coverage, with the defaults of the {@code coverage} command, except where all sensors are
+ * under a roof and the site is smaller than the default area: the side is then that of the site, and the heights are
+ * below the ceiling.
  */
 public final class CoverageForm extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -82,6 +82,7 @@ public final class CoverageForm extends JPanel {
         List.of(heights, side, cell).forEach(field -> field.addActionListener(e -> entered.run()));
     }
 
+    /** A label for an input; the explanation becomes the tooltip of the input. */
     public static JLabel named(String name, JComponent part, String explanation) {
         JLabel label = new JLabel(name);
         label.setLabelFor(part);
@@ -89,12 +90,14 @@ public final class CoverageForm extends JPanel {
         return label;
     }
 
+    /** Components side by side, from the left. */
     public static JPanel row(JComponent... parts) {
         JPanel row = new JPanel(new FlowLayout(FlowLayout.LEADING, Scaled.px(5), Scaled.px(2)));
         List.of(parts).forEach(row::add);
         return row;
     }
 
+    /** A text field of a number of columns; keys typed without modifiers do not trigger menu items. */
     public static JTextField field(String text, int columns) {
         JTextField field = new JTextField(text, columns);
         // Keys without modifiers belong to the menus, except while one is typing.

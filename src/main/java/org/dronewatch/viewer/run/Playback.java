@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The displayed time of a recorded run. It advances by itself during playback, as far as the run has been
- * simulated. For use by one thread.
+ * The displayed time of a recorded run. It advances by itself during playback, as far as the run has been simulated.
+ * For use by one thread.
  */
 public final class Playback {
     /** Playback speeds to choose from, as multiples of real time; the last, infinity, is as fast as possible. */
@@ -59,6 +59,7 @@ public final class Playback {
         return playing;
     }
 
+    /** Sets the playback speed, as {@link #speed} returns it. */
     public void setSpeed(double factor) {
         speed = factor;
         changed();

@@ -13,7 +13,10 @@ import org.dronewatch.run.RunInfo;
 import org.dronewatch.run.Stage;
 import org.dronewatch.sensor.Observation;
 
-/** One run, as far as it has been simulated. Written by the thread that simulates, read by any. */
+/**
+ * One run, as far as it has been simulated. Times are in seconds since the start of the run. Written by the thread that
+ * simulates, read by any.
+ */
 public final class RecordedRun {
     private final RunInfo info;
     private final Stage stage;

@@ -15,7 +15,7 @@ public final class UnsavedMoves {
     public enum Answer {
         /** Write a scene file. */
         SAVE("Save scene as ..."),
-        /** Discard them. */
+        /** Discard the moves. */
         DISCARD("Discard the changes"),
         /** Keep the scene open. */
         STAY("Cancel");

@@ -12,7 +12,7 @@ import org.dronewatch.render.SiteState;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
-/** A recorded run with its site, ready to be shown at any time. Thread-safe. */
+/** A recorded run with its site, ready to be shown at any time, in seconds since the start of the run. Thread-safe. */
 public final class ViewedRun {
     private final String title;
     private final RecordedRun run;

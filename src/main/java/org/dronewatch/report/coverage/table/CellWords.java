@@ -46,7 +46,7 @@ public final class CellWords {
         this.row = row;
     }
 
-    /** The state of the cell, from the field alone: {@code 30 m above the ground: hidden by terrain}. */
+    /** The state of the cell according to the detection field: {@code 30 m above the ground: hidden by terrain}. */
     public String summary() {
         return above() + state();
     }
@@ -98,8 +98,8 @@ public final class CellWords {
     }
 
     /**
-     * States that a sensor, given by its index, detects the drone, or why it does not, from the field alone. Empty
-     * where no drone can be.
+     * States that a sensor, given by its index, detects the drone, or why it does not, according to the detection
+     * field. Empty where no drone can be.
      */
     public String cause(int sensor) {
         if (!coverage.field().isOpen(height, column, row)) {
@@ -133,8 +133,8 @@ public final class CellWords {
     }
 
     /**
-     * The state of the cell, from the field alone, and the deciding sensor, if the margins that the field keeps suffice
-     * to determine it.
+     * The state of the cell according to the detection field, and the deciding sensor, if the margins that the field
+     * stores suffice to determine that sensor.
      */
     public String deciding() {
         OptionalInt sensor = coverage.field().isOpen(height, column, row)

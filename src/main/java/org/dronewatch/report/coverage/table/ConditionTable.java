@@ -76,10 +76,15 @@ public final class ConditionTable {
         return " ".repeat(width - text.length()) + text;
     }
 
+    /** The name of a condition, or the words for the scene as it is. */
     public static String name(ConditionCoverage condition) {
         return condition.name().isEmpty() ? SceneCondition.AS_IT_IS : condition.name();
     }
 
+    /**
+     * The sensor that covers the most cells under a condition, with their fraction of the known cells, in percent;
+     * {@code none} if no sensor covers any.
+     */
     public static String best(ConditionCoverage.Height height) {
         return height.best()
                 .map(sensor -> sensor + " " + percent(height, height.bySensor().get(sensor)))
@@ -94,6 +99,7 @@ public final class ConditionTable {
         return height.knownAsItIs() == 0 ? "-" : CoverageTable.percent(height.lost(), height.knownAsItIs());
     }
 
+    /** A number of cells in percent of the cells known under a condition; a dash if none is known. */
     public static String percent(ConditionCoverage.Height height, int cells) {
         return height.summary().known() == 0
                 ? "-"

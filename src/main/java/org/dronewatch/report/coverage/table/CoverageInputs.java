@@ -7,14 +7,14 @@ import org.dronewatch.geo.Origin;
 import org.dronewatch.report.file.Numbers;
 
 /**
- * The inputs of a coverage, as its files state them.
+ * The inputs of a coverage assessment, as stated in its result files.
  *
  * @param scene name of the scene
  * @param drone name of the drone
  * @param heading which heading of the drone counts: {@code worst}, {@code best} or {@code inbound}
  * @param covered the probability with which a sensor must detect the drone to cover a cell
  * @param terms the terms on which the drone counts as detected
- * @param area name of the protected area to which the cells that count are limited; empty if all do
+ * @param area name of the protected area outside which cells do not count; empty if all cells count
  * @param origin geographic position of the scene's origin, if it is known
  */
 public record CoverageInputs(
@@ -31,7 +31,9 @@ public record CoverageInputs(
         return terms.within();
     }
 
-    /** The area to which the cells are limited, as the end of a phrase: {@code  in 'yard'}; empty if there is none. */
+    /**
+     * The area outside which cells do not count, as the end of a phrase: {@code  in 'yard'}; empty if there is none.
+     */
     public String areaInWords() {
         return area.map(name -> " in '" + name + "'").orElse("");
     }
@@ -57,7 +59,10 @@ public record CoverageInputs(
         return Numbers.text(FieldCoverage.DEFAULT_COVERED) + " or more";
     }
 
-    /** The heading in words, {@code on the worst heading} or {@code inbound}, and that sensors search, if they do. */
+    /**
+     * The heading in words, {@code on the worst heading} or {@code inbound}, followed by {@code , sensors searching} if
+     * sensors on positioners search.
+     */
     public String headingInWords() {
         return (heading.equals("inbound") ? heading : "on the " + heading + " heading")
                 + (terms.pointing() == FieldTerms.Turning.SEARCH ? ", sensors searching" : "");

@@ -165,8 +165,8 @@ public final class FieldTable {
     }
 
     /**
-     * How accurate the interpolated levels of sensors are, with a warning where they are not accurate; empty if none
-     * are interpolated.
+     * How accurate the signal levels that are interpolated between traced positions are, a line for each sensor, with a
+     * warning where they are not accurate; empty if no levels are interpolated.
      */
     public static List<String> interpolated(FieldSummary summary) {
         List<String> lines = new ArrayList<>();

@@ -33,7 +33,7 @@ public final class Losses {
      * @param coverage what the figures of single heights state, such as {@code the coverage of inbound flight}
      * @param head title of the column of this figure
      * @param all the figure with all sensors
-     * @param without the figure without each sensor, by the sensor's name
+     * @param without for each sensor, by its name, the figure with all sensors but this one
      */
     public record OtherFigure(
             String introduction, String coverage, String head, String all, Map<String, String> without) {

@@ -63,7 +63,7 @@ public record ArraySettings(
         }
     }
 
-    /** A sphere of microphones. */
+    /** A sphere of the given diameter, m, with the given number of microphones. */
     @Defaults({"microphones", "aperture"})
     public static ArraySettings of(int microphones, double aperture) {
         return new ArraySettings(microphones, aperture, Shape.SPHERE, Math.toRadians(1.0), 0.0);

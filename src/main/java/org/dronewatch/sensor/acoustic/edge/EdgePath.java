@@ -160,6 +160,8 @@ public final class EdgePath {
     /**
      * The edges of one of the paths that {@link #others} counts. For the shortest path, which {@link #edges} gives, the
      * result is a path without edges and with an infinite detour.
+     *
+     * @param number index of the path, 0 to {@link #others} - 1
      */
     public EdgeSequence other(int number) {
         return number == ofShortest ? NONE : ofMinima[number];

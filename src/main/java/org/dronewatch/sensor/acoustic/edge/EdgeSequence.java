@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.edge;
 
 /**
  * The edges of one path around an obstacle, in order, with their positions along the path and the angles by which the
- * path bends.
+ * path bends. Edges are numbered from 0.
  */
 public final class EdgeSequence {
     private double detour = Double.POSITIVE_INFINITY;

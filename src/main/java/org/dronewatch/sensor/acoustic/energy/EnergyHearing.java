@@ -188,8 +188,8 @@ public final class EnergyHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} True if the settings alone determine the emission, since directivities depend on the elevation
-     * alone. False for a drone with tones under the narrow-band criterion, since the radial speed shifts the tones.
+     * {@inheritDoc} True if the drone's settings state its emission, whose directivity then depends only on the
+     * elevation. False for a drone with tones under the narrow-band criterion, since the radial speed shifts the tones.
      */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {

@@ -79,8 +79,9 @@ public record EnergyModel(
         /** The level in each band, compared with that of the background; the best band decides. */
         BEST_BAND,
         /**
-         * The level in a band around each of the drone's tones, as wide as the tone, compared with that of the
-         * background there; the best of these bands decides. For a drone without tones, as {@link #BEST_BAND}.
+         * The level in a band around each of the drone's tones, as wide as the tone, compared with the level of the
+         * background in the same band; the best of these bands decides. For a drone without tones, as
+         * {@link #BEST_BAND}.
          */
         NARROW_BAND
     }

@@ -53,12 +53,20 @@ public record EnergyReading(
         return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
     }
 
-    /** Mean-square sound pressure in a band, relative to (20 uPa)^2. */
+    /**
+     * Mean-square sound pressure in a band, relative to (20 uPa)^2.
+     *
+     * @param band 0 for 63 Hz to 7 for 8 kHz
+     */
     public double energy(int band) {
         return direct.get(band) + diffracted.get(band) + mirrored.get(band) + reverberant.get(band);
     }
 
-    /** Sound pressure level in a band, dB re 20 uPa; minus infinity for silence. */
+    /**
+     * Sound pressure level in a band, dB re 20 uPa; minus infinity for silence.
+     *
+     * @param band 0 for 63 Hz to 7 for 8 kHz
+     */
     public double level(int band) {
         return Levels.ofRatio(energy(band));
     }
@@ -78,9 +86,9 @@ public record EnergyReading(
     }
 
     /**
-     * A-weighted level of the direct and diffracted sound, dB re 20 uPa. With {@code ground: coherent}, the direct
-     * sound includes the reflection from the ground, unless other reflections carry more energy; otherwise only where
-     * the air bends the paths.
+     * A-weighted level of the direct and diffracted sound, dB re 20 uPa. The direct sound includes the reflection from
+     * the ground in two cases only: with {@code ground: coherent}, unless other reflections carry more energy; and
+     * where the air bends the paths.
      */
     public double directLevel() {
         return aWeighted(band -> direct.get(band) + diffracted.get(band));

@@ -91,7 +91,7 @@ public final class EnergyTracer {
      *
      * @param drone the drone's sound
      * @param random the random numbers of the rays
-     * @param recorder receives every segment of every ray that counts, from the start of the ray
+     * @param recorder receives every segment of every ray in the batches that are counted, each ray from its start
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
         SoundSource source = drone.at(clearance.of(drone.position()));

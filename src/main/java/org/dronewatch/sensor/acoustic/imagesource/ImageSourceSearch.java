@@ -74,8 +74,8 @@ public final class ImageSourceSearch {
      * @param maxOrder maximum number of walls of an image source
      * @param behindWalls receives the image sources that rays find after they have passed through walls that transmit
      *     sound
-     * @param direct the fraction of direct sound that passes through walls, above 0; rays of which a much smaller
-     *     fraction passes are abandoned
+     * @param direct the fraction of direct sound that passes through walls, above 0; a ray is abandoned when walls have
+     *     transmitted only a much smaller fraction of its sound
      */
     public ImageSourceCandidates from(
             Position from, int rays, int maxOrder, ImageSourceCandidates behindWalls, double direct) {

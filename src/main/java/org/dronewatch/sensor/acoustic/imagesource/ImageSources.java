@@ -165,8 +165,8 @@ public final class ImageSources {
     }
 
     /**
-     * The key of a sequence with one more wall before its first one. With it, the key of a reversed sequence can be
-     * formed wall by wall.
+     * The key of a sequence with one more wall before its first one. Allows the key of a reversed sequence to be formed
+     * wall by wall.
      *
      * @param weight power of the hash's multiplier for the length of the sequence: 1 for an empty sequence;
      *     {@link #weightOfNext} gives the weight for one more wall
@@ -189,8 +189,8 @@ public final class ImageSources {
     }
 
     /**
-     * Writes the positions of the images of a point into an array, m, three coordinates each: the point is mirrored in
-     * the first wall, the result in the next, and so on.
+     * Writes the positions of the images of a point into an array, three coordinates in metres for each image: the
+     * point is mirrored in the first wall, the result in the next, and so on.
      */
     public void positions(double x, double y, double z, WallPlanes planes, double[] images) {
         images[0] = x;

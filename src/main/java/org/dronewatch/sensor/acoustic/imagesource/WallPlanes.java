@@ -181,7 +181,10 @@ public final class WallPlanes {
         return Math.abs(cosine) < ALMOST_PARALLEL;
     }
 
-    /** Mirrors a point in a plane: three numbers of one array into three of another. */
+    /**
+     * Mirrors a point in a plane: reads three coordinates of {@code points} from index {@code from} on, and writes
+     * three coordinates into {@code images} from index {@code to} on.
+     */
     public void mirror(int wall, double[] points, int from, double[] images, int to) {
         int at = NUMBERS * wall;
         double twice = 2.0 * height(wall, points[from], points[from + 1], points[from + 2]);
@@ -190,7 +193,9 @@ public final class WallPlanes {
         images[to + 2] = points[from + 2] - twice * planes[at + 2];
     }
 
-    /** Whether a point of a plane lies in the box around all triangles in it: if not, nothing is reflected there. */
+    /**
+     * Whether a point in a plane lies in the bounding box of the plane's triangles: if not, nothing is reflected there.
+     */
     public boolean mayContain(int wall, double x, double y, double z) {
         int at = BOUNDS * wall;
         return x >= bounds[at]

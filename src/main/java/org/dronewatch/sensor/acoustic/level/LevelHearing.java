@@ -107,8 +107,8 @@ public final class LevelHearing implements SoundTracer {
     }
 
     /**
-     * {@inheritDoc} The level model does not depend on direction; an emission that the settings alone do not determine
-     * may depend on the state of flight.
+     * {@inheritDoc} True if the drone's settings state its emission, since the level model does not depend on
+     * direction; any other emission may depend on the state of flight.
      */
     @Override
     public boolean isSameAtAllHeadings(Drone drone) {

@@ -78,7 +78,7 @@ public final class ReflectionGenerator {
      * @param ray the ray that arrives
      * @param distance distance from the ray's origin to the triangle, m
      * @param triangle index of the triangle in the world's mesh
-     * @param arriving level of the ray at the triangle, dB
+     * @param arriving level of the ray at the triangle, dB on the calibrated scale of the level model
      * @param random draws the directions of scattered rays
      * @param target receives the rays, the specular one first
      */

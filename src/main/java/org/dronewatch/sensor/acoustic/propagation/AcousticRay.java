@@ -58,7 +58,7 @@ public final class AcousticRay {
         return tracer.closestHit(originX, originY, originZ, directionX, directionY, directionZ, 0.0, limit);
     }
 
-    /** Moves the ray's origin along its direction, m. */
+    /** Moves the ray's origin along its direction by a distance, m. */
     public void advance(double distance) {
         originX += distance * directionX;
         originY += distance * directionY;

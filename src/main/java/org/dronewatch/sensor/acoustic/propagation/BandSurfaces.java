@@ -7,7 +7,10 @@ import org.dronewatch.sound.surface.AngularAbsorption;
 import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 
-/** The surface properties that the energy model uses: fractions by material and band, in flat arrays. */
+/**
+ * The surface properties that the energy model uses: fractions by material and band, in flat arrays. Materials are
+ * numbered as in the world, bands from 0 for 63 Hz to 7 for 8 kHz.
+ */
 public final class BandSurfaces {
     private static final int BANDS = OctaveBands.COUNT;
 

@@ -36,8 +36,9 @@ public interface SoundTracer {
 
     /**
      * The signal received from a drone, computed at less cost than by {@link #signal} where possible: where the
-     * probability is a fraction of several looks, the looks after the first may draw other random numbers, and the
-     * quantity may be lower for a drone that is missed. Calls {@code signal} unless overridden.
+     * probability is estimated as the fraction of several looks that detect the drone, the looks after the first may
+     * draw other random numbers, and the quantity may be lower for a drone that is missed. Calls {@code signal} unless
+     * overridden.
      *
      * @param resolution the probabilities that count as equal
      */
