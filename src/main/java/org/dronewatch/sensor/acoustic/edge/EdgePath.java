@@ -28,6 +28,12 @@ public final class EdgePath {
 
     private static final double LONGER = 8.0;
 
+    /**
+     * Up to this detour, m, the vertical plane and the one across it are tried alone at first: most paths lead over
+     * obstacles or around their sides.
+     */
+    private static final double MOST_ALONE = 32.0;
+
     /** Other planes are rotated, too, if their detour is at most this multiple of the shortest. */
     private static final double NEARLY_AS_SHORT = 1.15;
 
@@ -97,6 +103,12 @@ public final class EdgePath {
         pathDifference = Double.POSITIVE_INFINITY;
         if (!(straight > 0.0) || mesh.triangleCount() == 0) {
             return false;
+        }
+        searchAcross();
+        if (isFound()) {
+            // Longer paths in other planes are of no interest.
+            search(Double.POSITIVE_INFINITY);
+            return true;
         }
         double farthest = line.farthest(world.bounds());
         double detour = FIRST_DETOUR;
@@ -176,13 +188,25 @@ public final class EdgePath {
         return Double.isFinite(pathDifference);
     }
 
-    /** Tries all planes, and rotates the best ones. */
+    /** Tries the vertical plane and the one across it alone: a path in one of them limits the search in all others. */
+    private void searchAcross() {
+        for (double detour = FIRST_DETOUR; !isFound() && detour <= MOST_ALONE; detour *= LONGER) {
+            for (int i = 0; i < PLANES; i += PLANES / 2) {
+                detours[i] = detour(i * Math.PI / PLANES, bound(straight + detour));
+            }
+        }
+    }
+
+    /** Tries all planes that have not been tried alone, and rotates the best ones. */
     private void search(double limit) {
         double step = Math.PI / PLANES;
+        boolean anyKnown = isFound();
         minima = 0;
         ofShortest = FIXED;
         for (int i = 0; i < PLANES; i++) {
-            detours[i] = detour(i * step, bound(limit));
+            if (!anyKnown || i % (PLANES / 2) != 0) {
+                detours[i] = detour(i * step, bound(limit));
+            }
         }
         double best = pathDifference;
         if (!isFound()) {

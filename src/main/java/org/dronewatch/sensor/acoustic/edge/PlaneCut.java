@@ -45,7 +45,7 @@ final class PlaneCut {
     PlaneCut(TriangleMesh mesh, EllipsoidQuery query) {
         this.mesh = mesh;
         this.query = query;
-        this.straightPiece = new CutTriangle(mesh::coordinate, ON_PLANE);
+        this.straightPiece = new CutTriangle(query::coordinate, ON_PLANE);
     }
 
     /**
@@ -71,11 +71,11 @@ final class PlaneCut {
         bentPieces.clear();
         for (int i = 0; i < query.count(); i++) {
             if (curvature == 0.0) {
-                if (straightPiece.cut(query.triangle(i), origin, normal)) {
+                if (straightPiece.cut(i, origin, normal)) {
                     outline.add(point(straightPiece.first()), point(straightPiece.second()));
                 }
             } else {
-                cutBent(query.triangle(i), normal);
+                cutBent(i, normal);
             }
         }
         bentPieces.divide(curvature);
@@ -104,12 +104,12 @@ final class PlaneCut {
     }
 
     /** Cuts a triangle that is bent as the arcs of sound are, the other way: its sides are parabolas. */
-    private void cutBent(int triangle, Position normal) {
+    private void cutBent(int found, Position normal) {
         for (int k = 0; k < 3; k++) {
             double[] c = corner[k];
-            c[0] = mesh.coordinate(triangle, k, 0) - origin.x();
-            c[1] = mesh.coordinate(triangle, k, 1) - origin.y();
-            c[2] = mesh.coordinate(triangle, k, 2) - origin.z();
+            c[0] = query.coordinate(found, k, 0) - origin.x();
+            c[1] = query.coordinate(found, k, 1) - origin.y();
+            c[2] = query.coordinate(found, k, 2) - origin.z();
             double over = along(c, normal) + sag(along(c, ahead)) * normal.z();
             height[k] = Math.abs(over) < ON_PLANE ? 0.0 : over;
         }
@@ -119,7 +119,7 @@ final class PlaneCut {
             boolean swap = CutTriangle.isAfter(corner[k], corner[next]);
             crossBent(swap ? next : k, swap ? k : next, normal.z());
         }
-        mesh.normal(triangle, surfaceNormal);
+        mesh.normal(query.triangle(found), surfaceNormal);
         double across = along(surfaceNormal, side);
         // Surfaces are bent across the line only, as far as the vertical is across it.
         double raised = surfaceNormal[2] - along(surfaceNormal, ahead) * ahead.z();

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
+import org.dronewatch.sensor.acoustic.imagesource.SingleReflections;
 import org.dronewatch.sensor.acoustic.imagesource.SpecularPath;
 import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
@@ -30,6 +31,7 @@ final class SpecularPaths {
     private final Air air;
     private final GroundReflection ground;
     private final SpecularPath path;
+    private final SingleReflections reflections;
     private final ImageSources singles;
     private final double[] imagesInSingles;
     private final double[] heard = new double[BANDS];
@@ -49,6 +51,7 @@ final class SpecularPaths {
         for (int image = 1; image < walls.length; image++) {
             walls[image] = image - 1;
         }
+        this.reflections = new SingleReflections(planes);
         this.singles = new ImageSources(parents, walls);
         this.imagesInSingles = new double[3 * walls.length];
     }
@@ -68,8 +71,13 @@ final class SpecularPaths {
         found.clear();
         Position drone = source.position();
         path.bend(curvature, true);
-        singles.positions(sensor.x(), sensor.y(), sensor.z(), planes, imagesInSingles);
-        for (int image = 1; image < singles.count(); image++) {
+        reflections.find(drone.x(), drone.y(), drone.z(), sensor.x(), sensor.y(), sensor.z());
+        imagesInSingles[0] = sensor.x();
+        imagesInSingles[1] = sensor.y();
+        imagesInSingles[2] = sensor.z();
+        for (int i = 0; i < reflections.count(); i++) {
+            int image = 1 + reflections.wall(i);
+            planes.mirror(reflections.wall(i), imagesInSingles, 0, imagesInSingles, 3 * image);
             if (path.follow(singles, imagesInSingles, image, drone.x(), drone.y(), drone.z())) {
                 FoundPaths itsPlace = ground.among(paths, path.metFirst(0), path.metFirst(1), path.metFirst(2));
                 add(itsPlace, source, path.riseFromBeginning());

@@ -25,6 +25,11 @@ public final class EnteredSolids {
 
     /** Takes over the solids of another path. */
     void copy(EnteredSolids other) {
+        if (other.count == 0) {
+            // In the air, as paths begin nearly always.
+            count = 0;
+            return;
+        }
         if (materials.length < other.count) {
             materials = new int[other.materials.length];
             faces = new int[other.faces.length];

@@ -52,6 +52,7 @@ public final class WallPlanes {
     private final int[] wallOf;
     private final boolean[] isMixed;
     private final double tolerance;
+    private final WallTree tree;
 
     /** The planes of a world; they are found once per world. */
     public static WallPlanes of(World world) {
@@ -90,6 +91,7 @@ public final class WallPlanes {
         this.triangleOf = grouping.triangles();
         this.bounds = bounds(mesh);
         this.isMixed = mixed(mesh);
+        this.tree = new WallTree(this);
     }
 
     private static double size(TriangleMesh mesh) {
@@ -204,6 +206,20 @@ public final class WallPlanes {
                 && y <= bounds[at + 4]
                 && z >= bounds[at + 2]
                 && z <= bounds[at + 5];
+    }
+
+    /** The least coordinate of all triangles in a plane, less a margin, m. */
+    double low(int wall, int axis) {
+        return bounds[BOUNDS * wall + axis];
+    }
+
+    /** Their greatest coordinate, with a margin, m. */
+    double high(int wall, int axis) {
+        return bounds[BOUNDS * wall + 3 + axis];
+    }
+
+    WallTree tree() {
+        return tree;
     }
 
     /** Assigns triangles to planes, one after another. */

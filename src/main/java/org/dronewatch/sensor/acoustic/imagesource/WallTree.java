@@ -1,0 +1,210 @@
+package org.dronewatch.sensor.acoustic.imagesource;
+
+import java.util.Arrays;
+
+/**
+ * A binary tree of walls. Each node has a sphere around its walls and a cone around their normals, whose signs do not
+ * matter. Immutable.
+ */
+final class WallTree {
+    /** The node of all walls. */
+    static final int ROOT = 0;
+
+    /** Nodes of up to this number of walls are not divided. */
+    private static final int MOST_IN_LEAF = 8;
+
+    /** Cells along each axis by which walls are ordered, as a power of two. */
+    private static final int CELL_BITS = 10;
+
+    /** A node's centre, the radius around it, the axis of its cone, and the cosine and sine of the cone's half-angle. */
+    private static final int NUMBERS = 9;
+
+    private static final int RADIUS = 3;
+    private static final int AXIS = 4;
+    private static final int COSINE = 7;
+    private static final int SINE = 8;
+
+    /** More than the rounding errors of spheres and cones. */
+    private static final double ROUNDING = 1e-9;
+
+    private final int[] walls;
+    private final int[] starts;
+    private final int[] ends;
+
+    /** Of each node the right child, 0 for a leaf; the left one comes next after the node. */
+    private final int[] rights;
+
+    private final double[] numbers;
+    private int nodes;
+    private int depth;
+
+    /** A tree of all walls of a world. */
+    WallTree(WallPlanes planes) {
+        this.walls = inOrder(planes);
+        // Each leaf has at least half of the most walls that it can have, unless it is the only one.
+        int most = 1 + 4 * walls.length / MOST_IN_LEAF;
+        this.starts = new int[most];
+        this.ends = new int[most];
+        this.rights = new int[most];
+        this.numbers = new double[NUMBERS * most];
+        if (walls.length > 0) {
+            add(planes, 0, walls.length, 1);
+        }
+    }
+
+    /** The walls by the cells of their centres along a curve that fills space (G. M. Morton, IBM, 1966). */
+    private static int[] inOrder(WallPlanes planes) {
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (int wall = 0; wall < planes.count(); wall++) {
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = Math.min(low[axis], centre(planes, wall, axis));
+                high[axis] = Math.max(high[axis], centre(planes, wall, axis));
+            }
+        }
+        long[] keys = new long[planes.count()];
+        for (int wall = 0; wall < keys.length; wall++) {
+            int code = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double part = (centre(planes, wall, axis) - low[axis]) / Math.max(high[axis] - low[axis], ROUNDING);
+                code |= spread((int) (part * ((1 << CELL_BITS) - 1))) << axis;
+            }
+            keys[wall] = (long) code << Integer.SIZE | wall;
+        }
+        Arrays.sort(keys);
+        return Arrays.stream(keys).mapToInt(key -> (int) key).toArray();
+    }
+
+    private static double centre(WallPlanes planes, int wall, int axis) {
+        return 0.5 * (planes.low(wall, axis) + planes.high(wall, axis));
+    }
+
+    /** Puts two zeros between any two bits. */
+    private static int spread(int bits) {
+        int spread = 0;
+        for (int bit = 0; bit < CELL_BITS; bit++) {
+            spread |= (bits >> bit & 1) << 3 * bit;
+        }
+        return spread;
+    }
+
+    private int add(WallPlanes planes, int start, int end, int level) {
+        int node = nodes++;
+        depth = Math.max(depth, level);
+        starts[node] = start;
+        ends[node] = end;
+        surround(planes, node);
+        if (end - start > MOST_IN_LEAF) {
+            int middle = (start + end) >>> 1;
+            add(planes, start, middle, level + 1);
+            rights[node] = add(planes, middle, end, level + 1);
+        }
+        return node;
+    }
+
+    private void surround(WallPlanes planes, int node) {
+        int at = NUMBERS * node;
+        double diagonal = 0.0;
+        for (int axis = 0; axis < 3; axis++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int i = starts[node]; i < ends[node]; i++) {
+                low = Math.min(low, planes.low(walls[i], axis));
+                high = Math.max(high, planes.high(walls[i], axis));
+            }
+            numbers[at + axis] = 0.5 * (low + high);
+            diagonal += (high - low) * (high - low);
+        }
+        numbers[at + RADIUS] = 0.5 * Math.sqrt(diagonal) * (1.0 + ROUNDING);
+        surroundNormals(planes, node);
+    }
+
+    private void surroundNormals(WallPlanes planes, int node) {
+        int at = NUMBERS * node;
+        int first = walls[starts[node]];
+        double[] axis = {planes.normal(first, 0), planes.normal(first, 1), planes.normal(first, 2)};
+        double[] sum = new double[3];
+        for (int i = starts[node]; i < ends[node]; i++) {
+            double sign = Math.signum(cosine(planes, walls[i], axis));
+            for (int k = 0; k < 3; k++) {
+                sum[k] += sign * planes.normal(walls[i], k);
+            }
+        }
+        double length = Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+        for (int k = 0; k < 3; k++) {
+            axis[k] = sum[k] / length;
+            numbers[at + AXIS + k] = axis[k];
+        }
+        double least = 1.0;
+        for (int i = starts[node]; i < ends[node]; i++) {
+            least = Math.min(least, Math.abs(cosine(planes, walls[i], axis)));
+        }
+        double cosine = Math.max(0.0, least - ROUNDING);
+        numbers[at + COSINE] = cosine;
+        numbers[at + SINE] = Math.sqrt(1.0 - cosine * cosine);
+    }
+
+    private static double cosine(WallPlanes planes, int wall, double[] axis) {
+        return planes.normal(wall, 0) * axis[0] + planes.normal(wall, 1) * axis[1] + planes.normal(wall, 2) * axis[2];
+    }
+
+    int wallCount() {
+        return walls.length;
+    }
+
+    /** The number of nodes from the root to the lowest leaf. */
+    int depth() {
+        return depth;
+    }
+
+    boolean isLeaf(int node) {
+        return rights[node] == 0;
+    }
+
+    int left(int node) {
+        return node + 1;
+    }
+
+    int right(int node) {
+        return rights[node];
+    }
+
+    /** The index of a node's first wall in the order of the tree. */
+    int start(int node) {
+        return starts[node];
+    }
+
+    /** One more than the index of its last wall. */
+    int end(int node) {
+        return ends[node];
+    }
+
+    int wall(int index) {
+        return walls[index];
+    }
+
+    /** A coordinate of the centre of a node's sphere, m. */
+    double centre(int node, int axis) {
+        return numbers[NUMBERS * node + axis];
+    }
+
+    /** Its radius, m. */
+    double radius(int node) {
+        return numbers[NUMBERS * node + RADIUS];
+    }
+
+    /** A component of the unit vector along the axis of a node's cone. */
+    double axis(int node, int axis) {
+        return numbers[NUMBERS * node + AXIS + axis];
+    }
+
+    /** Cosine of the angle between the axis and the farthest normal, 0 or more. */
+    double cosine(int node) {
+        return numbers[NUMBERS * node + COSINE];
+    }
+
+    /** Sine of that angle. */
+    double sine(int node) {
+        return numbers[NUMBERS * node + SINE];
+    }
+}
