@@ -19,7 +19,8 @@ public interface RayRecorder {
      *     model; in the energy model, the level of the sound power that the ray carries at the start of the segment, dB
      *     re 1 pW
      * @param order number of surfaces that the ray has hit before this segment
-     * @param received whether the segment ends at the sensor
+     * @param received whether the segment ends at the sensor; in the energy model, which may trace rays from the sensor
+     *     instead, whether it ends at the end from which no rays are traced
      */
     void record(
             double fromX,

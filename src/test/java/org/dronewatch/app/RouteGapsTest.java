@@ -61,7 +61,7 @@ class RouteGapsTest {
                 .doesNotContain("alert in time")
                 .contains(
                         "The probability that an alert comes in time cannot be computed where sensors on positioners count"
-                                + " as cued: flights have no cues.")
+                                + " as cued: it is computed from flights without cues.")
                 .contains("south-west: no route");
         JsonNode routes = JsonMapper.builder()
                 .build()

@@ -3,6 +3,12 @@ package org.dronewatch.render;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronewatch.geometry.Position;
+import org.dronewatch.run.Stage;
+import org.dronewatch.scene.SceneRunner;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -57,6 +63,41 @@ class RecordedRaysTest {
         assertThat(heardOfOrderZero).isGreaterThan(1);
         assertThat(heardLater).isPositive();
         assertThat(received).isLessThan(rays.count());
+    }
+
+    /** The straight path, and rays from either end as far as the point from which sound is scattered to the other. */
+    @Test
+    void everyHeardPathOfTheEnergyModelJoinsDroneAndSensor() {
+        SceneRunner runner = new SceneRunner(new Yard(directory)).set("sensors.microphone.propagation", "energy-model");
+        Stage stage = runner.stage(runner.settings());
+        RayCollector collector = new RayCollector("microphone", "quadrotor", 8.0);
+        List<Position> received = new ArrayList<>();
+        List<Position> begun = new ArrayList<>();
+        stage.traceRays(
+                8.0, "microphone", "quadrotor", (fromX, fromY, fromZ, toX, toY, toZ, level, order, isReceived) -> {
+                    collector.record(fromX, fromY, fromZ, toX, toY, toZ, level, order, isReceived);
+                    if (isReceived) {
+                        received.add(new Position(toX, toY, toZ));
+                    }
+                    if (order == 0) {
+                        begun.add(new Position(fromX, fromY, fromZ));
+                    }
+                });
+        RecordedRays rays = collector.toRays();
+
+        int heardLater = 0;
+        for (int i = 0; i < rays.count(); i++) {
+            heardLater += rays.isHeard(i) && rays.order(i) > 0 ? 1 : 0;
+        }
+        assertThat(heardLater).isPositive();
+        assertThat(new RayFilter(0, 0, true).count(rays)).isGreaterThan(1);
+        assertThat(new RayFilter(0, 99, true).count(rays)).isLessThan(rays.count());
+        // Paths begin at one end and are received at the other; the straight one may lead the other way.
+        Position microphone = Yard.SENSORS.plus(new Position(3, 0, 0));
+        assertThat(begun).contains(received.get(1));
+        assertThat(Stream.concat(begun.stream(), received.stream()).distinct())
+                .hasSize(2)
+                .contains(microphone);
     }
 
     @Test

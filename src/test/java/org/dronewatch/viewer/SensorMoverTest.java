@@ -190,6 +190,10 @@ class SensorMoverTest {
         layout.redo();
         assertThat(layout.unsaved()).isEmpty();
         assertThat(asked).hasSize(4);
+        // Of two sensors that were moved, one has been saved.
+        mover.select("ear");
+        mover.shift(0, 1);
+        assertThat(layout.unsaved()).containsExactly("ear");
         assertThat(UnsavedMoves.words(Set.of("round")))
                 .isEqualTo("'round' was changed, and the scene has not been saved since.");
     }

@@ -143,6 +143,9 @@ public final class CampaignFiles implements AutoCloseable {
         } catch (OverlappingFileLockException e) {
             channel.close();
             throw new InputException(asked() + " is in use by another run", e);
+        } catch (IOException e) {
+            channel.close();
+            throw e;
         }
         channel.close();
         throw new InputException(asked() + " is in use by another run: wait until it finishes");

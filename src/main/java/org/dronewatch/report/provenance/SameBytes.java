@@ -23,9 +23,13 @@ public final class SameBytes {
             "runs.csv",
             "sensitivity.csv",
             "campaign.json",
+            "coverage.json",
             "route.json",
             "place.json",
-            "plan.json");
+            "plan.json",
+            "coco.json",
+            "map.geojson",
+            "map.kml");
 
     private static final int DEPTH = 4;
 

@@ -148,7 +148,7 @@ final class RouteNotes {
         return inputs.response() > 0.0 && !results.survey().isAlertKnown() && isFlight
                 ? Optional.of("The probability that an alert comes in time cannot be computed "
                         + (inputs.isCued()
-                                ? "where sensors on positioners count as cued: flights have no cues."
+                                ? "where sensors on positioners count as cued: it is computed from flights without cues."
                                 : "for the alert rule of this scene, but only for rules by which a single sensor raises"
                                         + " the alert, after at most twelve looks."))
                 : Optional.empty();

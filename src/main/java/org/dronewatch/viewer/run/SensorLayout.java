@@ -75,11 +75,14 @@ public final class SensorLayout {
         saved = settings;
     }
 
-    /** The sensors with unsaved changes; none if the layout is the one most recently saved, or that of the scene. */
+    /** The sensors that are neither as they were saved most recently nor as in the scene that was opened. */
     public Set<String> unsaved() {
-        return isThere() && !settings.sensors().equals(saved.sensors())
-                ? changedFrom(begin == null ? original : begin)
-                : Set.of();
+        if (!isThere()) {
+            return Set.of();
+        }
+        Set<String> unsaved = changedFrom(saved);
+        unsaved.retainAll(changedFrom(begin == null ? original : begin));
+        return unsaved;
     }
 
     /** Remembers the layout: a single undo restores it. */

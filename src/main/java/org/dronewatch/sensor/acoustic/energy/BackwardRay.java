@@ -254,6 +254,9 @@ final class BackwardRay {
 
     private void join(int triangle, int material, double[] leaving) {
         traced += connection.add(ray, planes.wallOf(triangle), normal, material, leaving, arrival, scattered);
+        if (recorder != RayRecorder.NONE && connection.isJoined()) {
+            record(ends.target().x(), ends.target().y(), ends.target().z(), true);
+        }
     }
 
     /** The component of the ray's direction along the normal. */

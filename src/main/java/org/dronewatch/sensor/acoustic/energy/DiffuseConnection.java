@@ -28,6 +28,7 @@ final class DiffuseConnection {
     private double[] images = new double[3];
     private double[] imagesOfStart = new double[3];
     private int wallOfRay;
+    private boolean isJoined;
 
     DiffuseConnection(
             EnergyModel model,
@@ -79,6 +80,7 @@ final class DiffuseConnection {
             Arrival arrival,
             ScatteredSound scattered) {
         wallOfRay = wall;
+        isJoined = false;
         leg.bend(ends.curvature(), ends.isFromSource());
         for (int image = ImageSources.ORIGINAL; image < ends.ofTarget().count(); image++) {
             if (ray.order + ends.ofTarget().order(image) <= maxOrder) {
@@ -126,7 +128,13 @@ final class DiffuseConnection {
                     * ends.targetFactor(band, leg.riseFromEnd())
                     * air.left(band, distance);
         }
+        isJoined |= image == ImageSources.ORIGINAL;
         tally.add(ray, brought, distance);
+    }
+
+    /** Whether the last point that was connected is joined straight to the target. */
+    boolean isJoined() {
+        return isJoined;
     }
 
     private boolean find(double[] imagesOfEnd, int image, AcousticRay ray, int wallOfEnd) {

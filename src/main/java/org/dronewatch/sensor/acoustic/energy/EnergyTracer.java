@@ -99,6 +99,7 @@ public final class EnergyTracer {
         tally.clear();
         Ends ends = search.find(source, exact, bending.between(source.position(), sensor));
         missed.between(ends);
+        recordStraight(source, recorder);
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
         int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
@@ -118,6 +119,19 @@ public final class EnergyTracer {
             }
         }
         return reading(source, traced);
+    }
+
+    /** Records the straight path like a ray of its own, if sound arrives along it. */
+    private void recordStraight(SoundSource source, RayRecorder recorder) {
+        double arriving = 0.0;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            arriving += exact.direct().heard(band);
+        }
+        if (arriving > 0.0) {
+            Position from = source.position();
+            double level = Levels.ofRatio(source.emitted() / model.rays());
+            recorder.record(from.x(), from.y(), from.z(), sensor.x(), sensor.y(), sensor.z(), level, 0, true);
+        }
     }
 
     /** The number of batches that will make the reading accurate, as far as can be seen from the rays so far. */
