@@ -84,7 +84,11 @@ public record ThreatLabel(
         HYBRID
     }
 
-    /** A power source, as classified in section 2.1.3 of the thesis on which this project is based. */
+    /**
+     * A power source, as classified in section 2.1.3 of the master's thesis on which this project is based:
+     * <cite>Critical Infrastructure Protection Against Attacks Using Drones</cite>, Czech Technical University in
+     * Prague, 2018.
+     */
     public enum PowerSource {
         /** Not known. */
         UNKNOWN,

@@ -39,8 +39,8 @@ public interface FlightPath {
      * time t, computed from the velocities at the ends of that interval: {@code (v(t + h) - v(t - h)) / 2h}, h being a
      * quarter of a second; in the first quarter of a second, the interval begins at the start of the run. The value
      * does not depend on when it is queried. A jump in the velocity of a path gives a brief but finite acceleration. On
-     * a circle flown at the speed v and the angular velocity omega, the mean points to the centre of the circle, and is
-     * smaller than {@code v omega} by the factor {@code sin(omega h) / (omega h)}. A path whose future is not known yet
+     * a circle flown at the speed v and the angular velocity omega, the mean points to the centre of the circle, and
+     * its magnitude is {@code v omega} times {@code sin(omega h) / (omega h)}. A path whose future is not known yet
      * must override this method.
      *
      * @param time seconds since the start of the run, 0 or more

@@ -3,7 +3,7 @@ package org.dronewatch.flight;
 import java.util.List;
 import org.dronewatch.world.GroundPoint;
 
-/** A path in plan view, cut into short segments; all its corners are among the cuts. */
+/** A path in plan view, divided into short segments by nodes, which include all its corners. */
 public final class GroundTrack {
     /** Longest segment, m. */
     static final double STEP = 0.5;
@@ -50,28 +50,28 @@ public final class GroundTrack {
         return last + pieces;
     }
 
-    /** The number of cuts, including both ends of the path. */
+    /** The number of nodes, including both ends of the path. */
     public int size() {
         return x.length;
     }
 
-    /** The index of the cut at a point, given by its index among the points of the track. */
+    /** The index of the node at a point, given by its index among the points of the track. */
     public int corner(int point) {
         return corners[point];
     }
 
-    /** The east coordinate of a cut, m. */
-    public double x(int cut) {
-        return x[cut];
+    /** The east coordinate of a node, m. */
+    public double x(int node) {
+        return x[node];
     }
 
-    /** The north coordinate of a cut, m. */
-    public double y(int cut) {
-        return y[cut];
+    /** The north coordinate of a node, m. */
+    public double y(int node) {
+        return y[node];
     }
 
-    /** The distance along the path, in plan view, from the start to a cut, m. */
-    public double along(int cut) {
-        return along[cut];
+    /** The distance along the path, in plan view, from the start to a node, m. */
+    public double along(int node) {
+        return along[node];
     }
 }

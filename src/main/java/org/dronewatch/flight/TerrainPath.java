@@ -15,7 +15,7 @@ final class TerrainPath implements FlightPath {
     /**
      * A path over a profile.
      *
-     * @param profile height of what lies below at each cut of the track, m
+     * @param profile height of what lies below at each node of the track, m
      * @param height over the profile, m
      * @param speed along the path, m/s
      */
@@ -37,7 +37,7 @@ final class TerrainPath implements FlightPath {
             return new FlightState(points[last], REST, heading(last));
         }
         int found = Arrays.binarySearch(flown, travelled);
-        // Between two cuts the search gives -(insertion point) - 1.
+        // Between two nodes the search gives -(insertion point) - 1.
         int next = found >= 0 ? found + 1 : -found - 1;
         Position from = points[next - 1];
         Position leg = points[next].minus(from);
@@ -52,9 +52,9 @@ final class TerrainPath implements FlightPath {
         return OptionalDouble.of(speed);
     }
 
-    /** Along the segment of the track that ends at a cut. */
-    private double heading(int cut) {
-        Position leg = points[cut].minus(points[cut - 1]);
+    /** Along the segment of the track that ends at a node. */
+    private double heading(int node) {
+        Position leg = points[node].minus(points[node - 1]);
         return Math.atan2(leg.x(), leg.y());
     }
 }

@@ -4,7 +4,8 @@ import java.util.OptionalDouble;
 import org.dronewatch.world.Ground;
 
 /**
- * The profile of the ground below a ground track, raised so that it is nowhere too steep: heights at the track's cuts.
+ * The profile of the ground below a ground track, raised so that it is nowhere too steep: heights at the nodes that
+ * divide the track into short segments.
  */
 public final class TerrainProfile {
     private TerrainProfile() {}
@@ -13,7 +14,7 @@ public final class TerrainProfile {
      * The lowest profile above the ground that is nowhere steeper than allowed.
      *
      * @param slope maximum slope, metres up or down for each metre along the track
-     * @return the height of the profile at each cut of the track, m
+     * @return the height of the profile at each node of the track, m
      * @throws IllegalArgumentException when there is no surface anywhere below the track
      */
     public static double[] over(GroundTrack track, Ground ground, double slope) {
@@ -29,10 +30,10 @@ public final class TerrainProfile {
         return heights;
     }
 
-    /** The ground at each cut; where there is none, that of the nearest cut that has some. */
+    /** The ground at each node; where there is none, that of the nearest node that has some. */
     private static double[] known(GroundTrack track, Ground ground) {
         double[] heights = new double[track.size()];
-        // The last cut before here that has ground, and the first that has none since.
+        // The last node before here that has ground, and the first that has none since.
         int before = -1;
         for (int i = 0; i < heights.length; i++) {
             OptionalDouble height = ground.height(track.x(i), track.y(i));
@@ -50,7 +51,7 @@ public final class TerrainProfile {
         return heights;
     }
 
-    /** Fills the gap between two cuts that have ground; -1 and the track's size mean none. */
+    /** Fills the gap between two nodes that have ground; -1 and the track's size mean none. */
     private static void fill(double[] heights, GroundTrack track, int before, int after) {
         for (int i = before + 1; i < after; i++) {
             boolean earlier = after == heights.length
@@ -60,8 +61,8 @@ public final class TerrainProfile {
     }
 
     /**
-     * Heights at the cuts such that straight segments between them also clear the ground in between. A ridge between
-     * two cuts is assumed to be no higher than the intersection of the extrapolated slopes on either side; slopes
+     * Heights at the nodes such that straight segments between them also clear the ground in between. A ridge between
+     * two nodes is assumed to be no higher than the intersection of the extrapolated slopes on either side; slopes
      * steeper than the limit (walls) are extrapolated at the limit.
      */
     private static double[] covering(GroundTrack track, double[] ground, double slope) {

@@ -15,7 +15,7 @@ public final class SearchEnd {
 
     /**
      * How long, after the time limit of a search, further work that depends on its result may go on, s: the coverage of
-     * the layout, flights along the routes past it, and attacks.
+     * the layout, flights along the routes past it, and simulated attacks on it.
      */
     public static final double FOLLOW_UP = 10.0;
 

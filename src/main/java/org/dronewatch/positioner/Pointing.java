@@ -8,7 +8,8 @@ import java.util.OptionalInt;
  * @param direction direction of the sensor's axis
  * @param panRate mean pan rate since the previous pointing, clockwise, rad/s
  * @param tiltRate mean tilt rate since the previous pointing, upwards, rad/s
- * @param fov the sensor's field of view at that time, along the axis of the image that its settings state, rad
+ * @param fov the sensor's field of view at that time, measured as in its settings (for cameras, along the axis {@code
+ *     fovAxis} of the image), rad
  * @param contact number of the contact that the positioner follows; empty while it searches
  */
 public record Pointing(Direction direction, double panRate, double tiltRate, double fov, OptionalInt contact) {

@@ -49,7 +49,7 @@ public final class Positioner {
      * A positioner at the start of a run, for a sensor with a square image.
      *
      * @param position position of the positioner, m
-     * @param rest the direction of its sensor's own aim
+     * @param rest the direction of the aim in its sensor's settings
      * @param widest its sensor's own field of view, rad
      * @param interval time between two looks of its sensor, s
      */
@@ -61,7 +61,7 @@ public final class Positioner {
      * A positioner at the start of a run.
      *
      * @param position position of the positioner, m
-     * @param rest the direction of its sensor's own aim
+     * @param rest the direction of the aim in its sensor's settings
      * @param widest its sensor's own field of view, rad
      * @param shape proportions of its sensor's image
      * @param interval time between two looks of its sensor, s

@@ -5,13 +5,13 @@ import org.dronewatch.setting.In;
 import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
-/** The pattern of a positioner's search until it is cued, relative to the sensor's own aim. */
+/** The pattern of a positioner's search until it is cued, relative to the aim in the sensor's settings. */
 public sealed interface SearchPattern {
 
     /**
      * The direction at a time.
      *
-     * @param aim the direction of the sensor's own aim
+     * @param aim the direction of the aim in the sensor's settings
      * @param time seconds since the start of the run
      */
     Direction at(Direction aim, double time);
@@ -25,7 +25,7 @@ public sealed interface SearchPattern {
         return phase <= length ? phase : 2.0 * length - phase;
     }
 
-    /** A search pattern that stays at the sensor's own aim. */
+    /** A search pattern that stays at the aim in the sensor's settings. */
     record Rest() implements SearchPattern {
         @Override
         public double period() {

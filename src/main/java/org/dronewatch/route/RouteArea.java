@@ -18,9 +18,9 @@ public final class RouteArea {
 
     /**
      * The side of a square around the centre of the protected zone or, without one, around the mean position of the
-     * sensors. In each direction, the square extends for the distance to the farthest corner of the zones, plus the
-     * distance that a drone covers during the response to a detection, plus 250 m, but not beyond the model of the
-     * site.
+     * sensors. Half the side is the distance to the farthest point of the zones, plus the distance that a drone covers
+     * during the response to a detection, plus 250 m, but at most the distance from the centre to the farthest side of
+     * the site's bounds.
      *
      * @param drone name of the drone
      * @return the length of the side, m

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import org.dronewatch.fusion.Alert;
 
 /**
- * The alert for one drone in one run, and its lead time.
+ * The alert for one drone in one run, with the warning time.
  *
  * @param run number of the run in a sweep, from 0
  * @param drone name of the drone

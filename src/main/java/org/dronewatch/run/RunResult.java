@@ -21,7 +21,7 @@ import org.dronewatch.setting.Spelling;
  * @param simulated simulated time, s
  * @param events detections gained and lost, in order of time
  * @param pairs the result for each sensor and each drone, in the order of the scene
- * @param alerts the alert for each drone, with its lead time
+ * @param alerts the alert for each drone other than birds, with the warning time
  * @param falseAlarms the false alarms and false alerts, which no drone caused
  */
 public record RunResult(

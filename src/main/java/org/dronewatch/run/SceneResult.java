@@ -27,13 +27,13 @@ public record SceneResult(String scene, long seed, int threads, boolean complete
         return runs.stream().flatMap(run -> run.pairs().stream()).toList();
     }
 
-    /** The alerts for all drones in all runs, with their lead times. */
+    /** The alerts for all drones other than birds in all runs, with the warning times. */
     public List<AlertResult> alerts() {
         return runs.stream().flatMap(run -> run.alerts().stream()).toList();
     }
 
     /**
-     * The alert for a drone in the first run, with its lead time.
+     * The alert for a drone in the first run, with the warning time.
      *
      * @throws IllegalArgumentException when the scene has no such drone
      */

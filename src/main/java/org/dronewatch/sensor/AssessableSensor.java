@@ -20,7 +20,7 @@ public interface AssessableSensor extends Sensor {
      * @param world the site
      * @param drone the drone, as it appears at the sensor: for a signal that takes time to arrive, as it was when the
      *     signal left it
-     * @param pointing where a positioner points the sensor; empty for its own aim
+     * @param pointing where a positioner points the sensor; empty for the aim in its settings
      * @param rayRandom random numbers for sensors that trace random rays; others draw none
      */
     Signal signal(World world, Drone drone, Optional<Pointing> pointing, RandomGenerator rayRandom);
@@ -31,7 +31,7 @@ public interface AssessableSensor extends Sensor {
      *
      * @param world the site
      * @param drone the drone that is missed, as it appears at the sensor
-     * @param pointing where a positioner points the sensor; empty for its own aim
+     * @param pointing where a positioner points the sensor; empty for the aim in its settings
      * @return never {@link Cause#DETECTED}
      */
     Explanation explainMiss(World world, Drone drone, Optional<Pointing> pointing);
@@ -42,7 +42,7 @@ public interface AssessableSensor extends Sensor {
      *
      * @param world the site
      * @param drone the drone, at any heading and speed
-     * @param pointing where a positioner points the sensor; empty for its own aim
+     * @param pointing where a positioner points the sensor; empty for the aim in its settings
      */
     default boolean isSameAtAllHeadings(World world, Drone drone, Optional<Pointing> pointing) {
         return false;

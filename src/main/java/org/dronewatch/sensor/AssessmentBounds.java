@@ -7,7 +7,7 @@ package org.dronewatch.sensor;
  * @param greatest upper bound on the probability, 0 to 1
  * @param leastMarginDb lower bound on the {@link Signal#marginDb margin}, dB; NaN if it is not known
  * @param greatestMarginDb upper bound on the margin, dB; NaN if it is not known
- * @param cause the cause, which is known with certainty
+ * @param cause why a look misses the drone, or {@link Cause#DETECTED}: exact, unlike the other values
  */
 public record AssessmentBounds(
         double least, double greatest, double leastMarginDb, double greatestMarginDb, Cause cause) {

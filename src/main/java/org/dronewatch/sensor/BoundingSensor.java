@@ -26,7 +26,7 @@ public interface BoundingSensor extends AssessableSensor {
      * @param world the site
      * @param drone the drone, at any position
      * @param at assumed position of its origin, m
-     * @param pointing where a positioner points the sensor; empty for its own aim
+     * @param pointing where a positioner points the sensor; empty for the aim in its settings
      * @return empty where the assessment depends on the heading, or no bounds are known
      */
     Optional<AssessmentBounds> boundAtAllHeadings(World world, Drone drone, Position at, Optional<Pointing> pointing);

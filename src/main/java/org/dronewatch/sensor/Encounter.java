@@ -4,11 +4,11 @@ package org.dronewatch.sensor;
  * An encounter between a drone and the observer of a sensor's pictures: a person, or a program that performs equally
  * well. The probability P of a target task is the fraction of observers who can perform it with unlimited time, not an
  * independent chance in each picture. So one number u is drawn for each encounter, and the observer can find the drone
- * only while {@code P >= u}. The observer then searches, and finds it at the rate {@code P / 3.4 s}. Averaged over
- * observers, with a constant P,
+ * only while {@code P >= u}. The observer then searches, and finds it at the rate {@code P / 3.4 s}. With a constant
+ * P, the fraction of observers who have found it after the time t is
  *
  * <pre>
- * P(t) = P (1 - exp(-P t / 3.4 s))
+ * p(t) = P (1 - exp(-P t / 3.4 s))
  * </pre>
  *
  * <p>at any frame rate: each picture covers the time since the last one, and the search is memoryless, so the success

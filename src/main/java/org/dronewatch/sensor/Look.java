@@ -14,7 +14,7 @@ import org.dronewatch.positioner.Pointing;
  * @param time seconds since the start of the run
  * @param seed seed of the run
  * @param pointing where a positioner points the sensor now; empty for a sensor on a fixed mount, or one that is to look
- *     along its own aim
+ *     along the aim in its settings
  * @param encounters the sensor's encounters with drones before this look; used only where chance decides once per
  *     encounter
  */
@@ -26,7 +26,7 @@ public record Look(
     /** The purpose of the numbers that determine measurement errors. */
     public static final String ERROR = "error";
 
-    /** A look along the sensor's own aim, with no earlier encounters. */
+    /** A look along the aim in the sensor's settings, with no earlier encounters. */
     public static Look of(long seed, String sensor, long index, double time) {
         return new Look(sensor, index, time, seed, Optional.empty(), Encounters.NONE);
     }

@@ -49,7 +49,7 @@ public interface Mounted {
     /**
      * The settings of any sensor, pointed as its positioner points it.
      *
-     * @param pointing where the positioner points; empty for a sensor's own aim
+     * @param pointing where the positioner points; empty for the aim in the sensor's settings
      * @return the settings as they are if {@code pointing} is empty or no positioner can turn the sensor
      */
     static SensorSettings<?> pointed(SensorSettings<?> sensor, Optional<Pointing> pointing) {

@@ -9,10 +9,10 @@ import org.dronewatch.positioner.Pointing;
  */
 public interface Outlined {
 
-    /** The shape of the field of view for the sensor's own aim. */
+    /** The shape of the field of view for the aim in the sensor's settings. */
     Outline outline();
 
-    /** The shape of any sensor's field of view for its own aim; empty for a sensor that has none. */
+    /** The shape of any sensor's field of view for the aim in its settings; empty for a sensor that has none. */
     static Optional<Outline> outline(SensorSettings<?> sensor) {
         return sensor.as(Outlined.class).map(Outlined::outline);
     }
@@ -22,7 +22,7 @@ public interface Outlined {
      * {@linkplain Outline.Ball sphere} around a microphone is not a field of view: the microphone also hears drones
      * outside it.
      *
-     * @param pointing where a positioner points the sensor; empty for its own aim
+     * @param pointing where a positioner points the sensor; empty for the aim in its settings
      */
     static Optional<Outline> fieldOfView(SensorSettings<?> sensor, Optional<Pointing> pointing) {
         return outline(Mounted.pointed(sensor, pointing)).filter(shape -> !(shape instanceof Outline.Ball));

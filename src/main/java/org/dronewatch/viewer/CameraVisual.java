@@ -28,8 +28,8 @@ import org.dronewatch.viewer.run.PairReading;
 /**
  * The view of one camera: distances in shades of blue, darker for shorter ones, and a pale sky. Each drone's pixels are
  * orange, its significant pixels are framed, and the number of its pixels stands beside the number required. The frame
- * of a distant drone is enlarged; a large view magnifies the drone in a corner. For use in your own window, on the
- * event thread like all components of Swing:
+ * of a distant drone is enlarged; in a large view, an inset in a corner shows a drone magnified. For use in your own
+ * window, on the event thread like all components of Swing:
  *
  * <pre>{@code
  * CameraVisual visual = CameraVisual.of("gate", cameraSettings, stage);

@@ -262,8 +262,8 @@ public final class DetectionField {
     }
 
     /**
-     * Why a sensor does not detect the drone; {@link Cause#UNKNOWN} where the drone cannot be. Arguments as
-     * for {@link #step}.
+     * Why one look of a sensor does not detect the drone: {@link Cause#DETECTED} where it does, {@link Cause#UNKNOWN}
+     * where the drone cannot be, or where the line of sight leaves the known ground. Arguments as for {@link #step}.
      */
     public Cause cause(int sensor, int height, int column, int row, int course) {
         return all.cause(sensor, height, column, row, course);
@@ -271,7 +271,8 @@ public final class DetectionField {
 
     /**
      * The margin by which the signal of a sensor exceeds its threshold, as the field keeps it: in most cells, a bound;
-     * {@link Margin.Known#NOTHING} where the drone cannot be. Arguments as for {@link #step}.
+     * {@link Margin.Known#NOTHING} where the drone cannot be, or where the line of sight leaves the known ground.
+     * Arguments as for {@link #step}.
      */
     public Margin margin(int sensor, int height, int column, int row, int course) {
         return all.margin(sensor, height, column, row, course);

@@ -10,7 +10,7 @@ import org.dronewatch.sensor.Assessor;
  * How a sensor points while it looks at a drone in a cell.
  *
  * @param towards the pointings in which the sensor may see the drone, among pointings at equal intervals of time over
- *     one period of the search; an empty element is the sensor's own aim
+ *     one period of the search; an empty element stands for the aim in the sensor's settings
  * @param passes the indices in {@code towards} at which the drone enters the field of view: in the pointing just
  *     before, it was outside
  * @param phases for each element of {@code towards}, the number of its phase of the search

@@ -155,7 +155,10 @@ public final class SensorLayer {
         return CellCode.step(at(height, column, row, course));
     }
 
-    /** Why the drone is missed; {@link Cause#UNKNOWN} in a cell in which it cannot be. */
+    /**
+     * Why one look misses the drone: {@link Cause#DETECTED} if it does not, {@link Cause#UNKNOWN} in a cell in which
+     * the drone cannot be, or where the line of sight leaves the known ground.
+     */
     public Cause cause(int height, int column, int row, int course) {
         return CellCode.cause(at(height, column, row, course));
     }

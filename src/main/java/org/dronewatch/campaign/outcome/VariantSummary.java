@@ -67,9 +67,9 @@ public final class VariantSummary {
         }
     }
 
-    /** The number of the sector of a bearing, clockwise from north, rad, 0 to 2 pi; sector 0 is centred on north. */
+    /** The number of the sector of a bearing, clockwise from north, rad; sector 0 is centred on north. */
     public static int sector(double bearing) {
-        return (int) Math.floor(bearing / TURN * SECTORS + 0.5) % SECTORS;
+        return Math.floorMod((int) Math.floor(bearing / TURN * SECTORS + 0.5), SECTORS);
     }
 
     /** The number of all cases, including those that failed. */

@@ -179,10 +179,10 @@ final class MissionLegs {
             double before = stops.get(first + i - 1).above.getAsDouble();
             double after = stops.get(first + i).above.getAsDouble();
             Position[] places = new Position[to - from + 1];
-            for (int cut = from; cut <= to; cut++) {
-                double share = (track.along(cut) - track.along(from)) / (track.along(to) - track.along(from));
-                places[cut - from] =
-                        new Position(track.x(cut), track.y(cut), ground[cut] + before + share * (after - before));
+            for (int node = from; node <= to; node++) {
+                double share = (track.along(node) - track.along(from)) / (track.along(to) - track.along(from));
+                places[node - from] =
+                        new Position(track.x(node), track.y(node), ground[node] + before + share * (after - before));
             }
             courses.add(new MissionPath.Course(places));
             moveTo(first + i - 1, places[0]);

@@ -90,7 +90,7 @@ final class RouteFigures {
         return brief.value() == 0.0 ? rows.pastCandidates(affordable(plan)) : List.of();
     }
 
-    /** The candidates that cost no more than the budget each, and those that are kept. */
+    /** The candidates that individually cost no more than the budget, and those that are kept. */
     static List<Integer> affordable(PlacePlan plan) {
         return IntStream.range(0, plan.candidates().size())
                 .filter(number -> {

@@ -74,7 +74,10 @@ public record RoutePlacement(
         return parts.remaining();
     }
 
-    /** The number of candidates that are kept, or that each cost no more than the budget. */
+    /**
+     * The number of candidates that may be in a layout: the scene's sensors that are kept in every layout, and the
+     * candidates that individually cost no more than the budget.
+     */
     public int affordable() {
         return RouteFigures.affordable(plan).size();
     }

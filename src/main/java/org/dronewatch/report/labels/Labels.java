@@ -81,7 +81,7 @@ public final class Labels implements AutoCloseable {
         }
     }
 
-    /** Writes the pictures of those cameras that have a look at the time of a frame. */
+    /** Writes the pictures of those cameras that take a look at the time of a frame. */
     public void observed(Frame frame) throws IOException {
         for (int i = 0; i < cameras.size(); i++) {
             LabelledCamera camera = cameras.get(i);

@@ -130,9 +130,11 @@ final class SearchNotes {
                         !listed.contains(RouteNumbers.exposure(route.route().exposure())))
                 .map(route -> "By the search alone, the least exposed route comes from the " + RouteWords.sector(route)
                         + ", with a counted exposure of "
-                        + RouteNumbers.exposure(route.route().exposure()) + " ("
+                        + RouteNumbers.exposure(route.route().exposure()) + " (detected"
+                        + inTime(results.survey().response()) + " with a probability of "
                         + RouteNumbers.percent(route.route().detection())
-                        + "). As flown, the drone is detected less often on the one listed from there.");
+                        + "). The table lists another route from the " + RouteWords.sector(route)
+                        + " instead: as flown, the drone is detected less often on that one.");
     }
 
     /**

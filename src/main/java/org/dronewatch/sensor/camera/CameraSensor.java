@@ -261,28 +261,28 @@ public final class CameraSensor implements BoundingSensor {
     }
 
     /**
-     * The whole image along the camera's own aim, traced on the {@link org.dronewatch.parallel.Workers} of the calling
-     * thread; the same for any number of them.
+     * The whole image along the aim in the camera's settings, traced on the {@link org.dronewatch.parallel.Workers} of
+     * the calling thread; the same for any number of them.
      */
     public DepthImage depthImage(World site, List<Drone> drones) {
         return ownAim.depthImage(site, drones);
     }
 
     /**
-     * For each drone in the given order, its significant pixels along the camera's own aim, and which of these show the
-     * drone.
+     * For each drone in the given order, its significant pixels along the aim in the camera's settings, and which of
+     * these show the drone.
      */
     public List<DronePixels> pixels(World site, List<Drone> drones) {
         return ownAim.pixels(site, drones);
     }
 
-    /** The number of pixels that show a drone along the camera's own aim, if it is the only drone. */
+    /** The number of pixels that show a drone along the aim in the camera's settings, if it is the only drone. */
     public int pixels(World site, Drone drone) {
         ownAim.draw(site, List.of(drone));
         return ownAim.pixels(0);
     }
 
-    /** Pose and projection along the camera's own aim. */
+    /** Pose and projection along the aim in the camera's settings. */
     public CameraObject camera() {
         return ownAim.camera();
     }

@@ -15,7 +15,10 @@ import org.dronewatch.setting.Quantity;
  */
 public record PixelThreshold(@In(value = Quantity.PIXELS, above = 0, to = 1e9) double pixels)
         implements DetectionFunction {
-    /** 12 pixels, as calibrated in the thesis on which this project is based. */
+    /**
+     * 12 pixels, as calibrated in the master's thesis on which this project is based: <cite>Critical Infrastructure
+     * Protection Against Attacks Using Drones</cite>, Czech Technical University in Prague, 2018.
+     */
     @Defaults
     public static final PixelThreshold DEFAULT = new PixelThreshold(12.0);
 

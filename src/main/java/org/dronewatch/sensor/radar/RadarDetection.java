@@ -71,10 +71,10 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * A fixed threshold, as in the thesis on which this project is based. A fluctuating target requires an average
-     * ratio that is higher by the fluctuation loss (L. V. Blake, Radar Range-Performance Analysis, chapter 2): the
-     * difference between the ratios that a fluctuating and a steady target require for a probability of detection of
-     * 0.9 and a probability of false alarm of 1e-6, with one pulse.
+     * A fixed threshold. A fluctuating target requires an average ratio that is higher by the fluctuation loss (L. V.
+     * Blake, Radar Range-Performance Analysis, chapter 2): the difference between the ratios that a fluctuating and a
+     * steady target require for a probability of detection of 0.9 and a probability of false alarm of 1e-6, with one
+     * pulse.
      *
      * @param signalToNoise signal-to-noise ratio that a steady target must reach, -50 to 100 dB
      */

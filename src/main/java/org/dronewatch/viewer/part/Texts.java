@@ -83,9 +83,12 @@ public final class Texts {
         return String.format(Locale.ROOT, size < 10.0 ? "%.2f" : "%.1f", value);
     }
 
-    /** A measured value with its unit; in words where there was no signal at all. */
+    /** A measured value with its unit; infinities in words, without a unit. */
     public static String measured(double value, String unit) {
-        return value == Double.NEGATIVE_INFINITY ? "no signal" : (value(value) + " " + unit).strip();
+        if (value == Double.NEGATIVE_INFINITY) {
+            return "no signal";
+        }
+        return value == Double.POSITIVE_INFINITY ? value(value) : (value(value) + " " + unit).strip();
     }
 
     /** A playback speed. */

@@ -209,7 +209,8 @@ class RouteWordsTest extends RouteSamples {
         RouteResults kept = results(listed);
         String note =
                 "By the search alone, the least exposed route comes from the north, with a counted exposure of 0.500"
-                        + " (39 %). As flown, the drone is detected less often on the one listed from there.";
+                        + " (detected in time with a probability of 39 %). The table lists another route from the north"
+                        + " instead: as flown, the drone is detected less often on that one.";
 
         assertThat(RouteTable.lines(with(kept, listed, replaced), inputs)).contains(note);
         assertThat(RouteFile.toJson(with(kept, listed, replaced), inputs)

@@ -87,10 +87,11 @@ public enum Diffraction {
     }
 
     /**
-     * The path difference up to which an edge attenuates sound although the source is visible.
+     * The magnitude of the path difference, which is negative where the source is visible, up to which an edge
+     * attenuates sound there.
      *
      * @param wavelength above 0, m
-     * @return length of the path that touches the edge minus that of the straight line, m, 0 or more
+     * @return m, 0 or more
      */
     public abstract double reach(double wavelength);
 }
