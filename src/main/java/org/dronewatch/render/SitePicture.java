@@ -156,9 +156,7 @@ public final class SitePicture {
 
     /**
      * The cut that removes the upper part of the site, so that the sensors and drones at the given time are visible
-     * from above; empty unless most of them are under a roof.
-     *
-     * @param time seconds since the start of the run
+     * from above; empty unless most of them are under a roof. The time is in seconds since the start of the run.
      */
     public Optional<Cut> openRoof(double time) {
         List<Drone> drones = stage.dronesAt(time);

@@ -51,11 +51,8 @@ public final class MapSheet {
      */
     public interface Fill {
         /**
-         * The colour of a pixel of the cell or swatch: red, green and blue in the lowest 24 bits.
-         *
-         * @param u column of the pixel, from the left edge of the map or swatch
-         * @param v row of the pixel, from the top edge of the map or swatch
-         * @param ground the colour of the ground below, in the same form
+         * The colour of a pixel of a cell or swatch, over that of the ground below it: red, green and blue in the
+         * lowest 24 bits. Its column and row are counted from the top left corner of the map or swatch.
          */
         int at(int u, int v, int ground);
     }
@@ -159,9 +156,7 @@ public final class MapSheet {
         g.setClip(null);
     }
 
-    /**
-     * Writes a short text on a pale background near a point on the map, clear of the map's edge, scale bar and arrow.
-     */
+    /** Writes a short text on a pale background near a point on the map, clear of the edge, scale bar and arrow. */
     public void label(Position at, String text) {
         g.setFont(TITLE);
         int wide = g.getFontMetrics().stringWidth(text);

@@ -40,7 +40,6 @@ public final class EdgePath {
     /** No path is longer than this multiple of one by way of the farthest point of the world. */
     private static final double TO_AND_FRO = 4.0;
 
-    private static final double GOLDEN = 0.5 * (Math.sqrt(5.0) - 1.0);
     private static final int TURNS = 11;
     private static final int FIXED = -1;
     private static final EdgeSequence NONE = new EdgeSequence();
@@ -243,31 +242,10 @@ public final class EdgePath {
         }
     }
 
-    /** Rotates a plane by up to a step to either side, to where its path is shortest, by golden section. */
+    /** Rotates a plane by up to a step to either side, to where its path is shortest. */
     private void turn(double angle, double step) {
         double limit = bound(Double.POSITIVE_INFINITY);
-        double low = angle - step;
-        double high = angle + step;
-        double left = high - GOLDEN * (high - low);
-        double right = low + GOLDEN * (high - low);
-        double ofLeft = detour(left, limit);
-        double ofRight = detour(right, limit);
-        for (int i = 0; i < TURNS; i++) {
-            boolean toTheLeft = ofLeft == ofRight ? angle < 0.5 * (left + right) : ofLeft < ofRight;
-            if (toTheLeft) {
-                high = right;
-                right = left;
-                ofRight = ofLeft;
-                left = high - GOLDEN * (high - low);
-                ofLeft = detour(left, limit);
-            } else {
-                low = left;
-                left = right;
-                ofLeft = ofRight;
-                right = low + GOLDEN * (high - low);
-                ofRight = detour(right, limit);
-            }
-        }
+        GoldenSection.search(at -> detour(at, limit), angle, step, TURNS);
     }
 
     /** The longest path that is still of interest: once one is known, planes with a much longer one are not rotated. */

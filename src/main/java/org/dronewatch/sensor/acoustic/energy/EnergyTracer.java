@@ -38,6 +38,12 @@ public final class EnergyTracer {
      */
     static final int FEWEST = 1000;
 
+    /**
+     * The same where the straight path leads through walls: of a thousand rays, few or none pass through such a wall,
+     * and each that does contributes more than many others.
+     */
+    private static final int FEWEST_THROUGH_WALLS = 3000;
+
     /** Characteristic impedance at which levels of sound pressure and of intensity are equal, Pa s/m (ISO 1683). */
     private static final double REFERENCE_IMPEDANCE = 400.0;
 
@@ -58,6 +64,7 @@ public final class EnergyTracer {
     private final Convergence convergence;
     private final EnergyLedger ledger = new EnergyLedger();
     private final BatchTeams batches;
+    private int fewest;
 
     /**
      * A tracer to one sensor.
@@ -99,6 +106,7 @@ public final class EnergyTracer {
         tally.clear();
         Ends ends = search.find(source, exact, bending.between(source.position(), sensor));
         missed.between(ends);
+        fewest = exact.isThroughWalls() ? FEWEST_THROUGH_WALLS : FEWEST;
         recordStraight(source, recorder);
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
@@ -139,8 +147,8 @@ public final class EnergyTracer {
         if (!(model.accuracy() > 0.0)) {
             return Integer.MAX_VALUE;
         }
-        if (rays < FEWEST) {
-            return batches(FEWEST - rays);
+        if (rays < fewest) {
+            return batches(fewest - rays);
         }
         double excess = errorLevel(source) / model.accuracy();
         return batches(rays * (excess * excess - 1.0));
@@ -192,7 +200,7 @@ public final class EnergyTracer {
     }
 
     private boolean isAccurate(SoundSource source, int rays) {
-        if (rays < FEWEST) {
+        if (rays < fewest) {
             return false;
         }
         int quantity = decisive(source);

@@ -129,6 +129,11 @@ final class ExactPaths {
         direct.add(length, heard);
     }
 
+    /** Whether the straight path leads through walls that transmit sound. */
+    boolean isThroughWalls() {
+        return isThrough && !walls.isFree();
+    }
+
     /** The fraction that walls on the straight line transmit. */
     private double passed(int band) {
         return isThrough ? walls.passed(band) : 0.0;

@@ -253,11 +253,7 @@ public final class SpecularPath {
         return reflected[band];
     }
 
-    /**
-     * A coordinate of the first point at which the path is reflected, m.
-     *
-     * @param axis 0 for x, 1 for y, 2 for z
-     */
+    /** The x, y or z coordinate (axis 0, 1 or 2) of the first point at which the path is reflected, m. */
     public double metFirst(int axis) {
         return metFirst[axis];
     }

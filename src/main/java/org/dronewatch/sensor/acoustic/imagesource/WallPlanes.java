@@ -1,10 +1,7 @@
 package org.dronewatch.sensor.acoustic.imagesource;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.function.IntPredicate;
@@ -29,16 +26,7 @@ public final class WallPlanes {
 
     private static final double LEAST_TOLERANCE = 1e-5;
 
-    /** Planes whose unit normals differ by more in any coordinate are not compared. */
-    private static final double NORMAL_CELL = 1e-2;
-
     private static final double ALMOST_PARALLEL = 0.99;
-
-    /** The normal of a plane is the one on this side, whatever the winding of its triangles; any direction would do. */
-    private static final double[] SIDE = {0.6, 0.48, 0.64};
-
-    /** Normals that are perpendicular to it may have been assigned to either side. */
-    private static final double EITHER_SIDE = 0.05;
 
     /** The planes of worlds in use: many sensors share one world. */
     private static final Map<World, WallPlanes> KNOWN = Collections.synchronizedMap(new WeakHashMap<>());
@@ -77,7 +65,7 @@ public final class WallPlanes {
         this.tolerance = Math.max(LEAST_TOLERANCE, RELATIVE_TOLERANCE * size(mesh));
         this.wallOf = new int[mesh.triangleCount()];
         Arrays.fill(wallOf, NONE);
-        Grouping grouping = new Grouping(mesh);
+        WallGrouping grouping = new WallGrouping(mesh, tolerance);
         // The largest triangle has the most exact plane, so it comes first: by its area, then by its number.
         long[] order = IntStream.range(0, wallOf.length)
                 .filter(triangle -> mirrors.test(triangle) && grouping.area(triangle) > 0.0f)
@@ -85,7 +73,7 @@ public final class WallPlanes {
                 .sorted()
                 .toArray();
         for (long triangle : order) {
-            grouping.add((int) triangle);
+            wallOf[(int) triangle] = grouping.add((int) triangle);
         }
         this.planes = grouping.planes();
         this.triangleOf = grouping.triangles();
@@ -220,105 +208,5 @@ public final class WallPlanes {
 
     WallTree tree() {
         return tree;
-    }
-
-    /** Assigns triangles to planes, one after another. */
-    private final class Grouping {
-        private final TriangleMesh mesh;
-        private final double[] normal = new double[3];
-        private final List<double[]> found = new ArrayList<>();
-        private final List<Integer> largest = new ArrayList<>();
-        private final Map<Integer, List<Integer>> byNormal = new HashMap<>();
-
-        Grouping(TriangleMesh mesh) {
-            this.mesh = mesh;
-        }
-
-        float area(int triangle) {
-            mesh.normal(triangle, normal);
-            return (float) (0.5 * length());
-        }
-
-        private double length() {
-            return Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-        }
-
-        void add(int triangle) {
-            mesh.normal(triangle, normal);
-            double length = length();
-            for (int axis = 0; axis < 3; axis++) {
-                normal[axis] /= length;
-            }
-            double side = normal[0] * SIDE[0] + normal[1] * SIDE[1] + normal[2] * SIDE[2];
-            double sign = side < 0.0 ? -1.0 : 1.0;
-            for (int axis = 0; axis < 3; axis++) {
-                normal[axis] *= sign;
-            }
-            int wall = find(triangle, 1.0);
-            if (wall == NONE && Math.abs(side) < EITHER_SIDE) {
-                wall = find(triangle, -1.0);
-            }
-            wallOf[triangle] = wall == NONE ? open(triangle) : wall;
-        }
-
-        private int open(int triangle) {
-            double offset = normal[0] * mesh.coordinate(triangle, 0, 0)
-                    + normal[1] * mesh.coordinate(triangle, 0, 1)
-                    + normal[2] * mesh.coordinate(triangle, 0, 2);
-            found.add(new double[] {normal[0], normal[1], normal[2], offset});
-            largest.add(triangle);
-            int cell = key(cell(normal[0]), cell(normal[1]), cell(normal[2]));
-            byNormal.computeIfAbsent(cell, key -> new ArrayList<>()).add(found.size() - 1);
-            return found.size() - 1;
-        }
-
-        private int find(int triangle, double sign) {
-            int x = cell(sign * normal[0]);
-            int y = cell(sign * normal[1]);
-            int z = cell(sign * normal[2]);
-            for (int i = -1; i <= 1; i++) {
-                for (int j = -1; j <= 1; j++) {
-                    for (int k = -1; k <= 1; k++) {
-                        int cell = key(x + i, y + j, z + k);
-                        for (int wall : byNormal.getOrDefault(cell, List.of())) {
-                            if (contains(found.get(wall), triangle)) {
-                                return wall;
-                            }
-                        }
-                    }
-                }
-            }
-            return NONE;
-        }
-
-        private boolean contains(double[] plane, int triangle) {
-            for (int corner = 0; corner < 3; corner++) {
-                double height = plane[0] * mesh.coordinate(triangle, corner, 0)
-                        + plane[1] * mesh.coordinate(triangle, corner, 1)
-                        + plane[2] * mesh.coordinate(triangle, corner, 2)
-                        - plane[3];
-                if (Math.abs(height) > tolerance) {
-                    return false;
-                }
-            }
-            return true;
-        }
-
-        private static int cell(double coordinate) {
-            return (int) Math.round(coordinate / NORMAL_CELL);
-        }
-
-        /** Cells are numbered from -100 to 100 along each axis. */
-        private static int key(int x, int y, int z) {
-            return x << 2 * Byte.SIZE ^ (y & 0xFF) << Byte.SIZE ^ z & 0xFF;
-        }
-
-        double[] planes() {
-            return found.stream().flatMapToDouble(Arrays::stream).toArray();
-        }
-
-        int[] triangles() {
-            return largest.stream().mapToInt(Integer::intValue).toArray();
-        }
     }
 }

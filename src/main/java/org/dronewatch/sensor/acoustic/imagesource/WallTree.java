@@ -16,7 +16,7 @@ final class WallTree {
     /** Cells along each axis by which walls are ordered, as a power of two. */
     private static final int CELL_BITS = 10;
 
-    /** A node's centre, the radius around it, the axis of its cone, and the cosine and sine of the cone's half-angle. */
+    /** A node's centre, the radius around it, the axis of its cone, and cosine and sine of the cone's half-angle. */
     private static final int NUMBERS = 9;
 
     private static final int RADIUS = 3;
