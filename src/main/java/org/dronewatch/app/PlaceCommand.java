@@ -49,8 +49,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Chooses, from the sensors that can be bought and the places where they can be installed, those that cover the"
-                        + " most airspace within a budget, give the longest warning, or expose drones most on their weakest"
-                        + " route; prints the layout, a bound on what any other could achieve, and the order in which to"
+                        + " most airspace within a budget, give the longest warning, or expose drones most even on the"
+                        + " route on which they are least exposed; prints the layout, a bound on what any other could achieve, and the order in which to"
                         + " buy its sensors.",
         footer = {
             "",
@@ -223,7 +223,7 @@ final class PlaceCommand implements Callable<Integer> {
                 GivenOption.words("--time", time) + ": "
                         + Quantity.DURATION.inWords(limits.end().seconds() + SearchEnd.FOLLOW_UP)
                         + " after the candidates were assessed, no layout had been tested against the weakest routes"
-                        + " past it; more time is needed",
+                        + " past its sensors; more time is needed",
                 cause);
     }
 

@@ -38,7 +38,7 @@ public final class SearchEnd {
     }
 
     /**
-     * An end by another clock.
+     * An end timed by another clock.
      *
      * @param clock gives the time since some fixed moment, ns
      */

@@ -11,7 +11,7 @@ public record ImageShape(double width, double height) {
     /** As wide as it is high. */
     static final ImageShape SQUARE = new ImageShape(1.0, 1.0);
 
-    /** The horizontal field of view, rad, when the one that the settings state is zoomed to an angle. */
+    /** The horizontal field of view, rad, when the stated field of view is {@code fov}. */
     double across(double fov) {
         return 2.0 * Math.atan(width * Math.tan(0.5 * fov));
     }
@@ -21,7 +21,7 @@ public record ImageShape(double width, double height) {
         return 2.0 * Math.atan(height * Math.tan(0.5 * fov));
     }
 
-    /** The stated field of view at which the smaller of the two is as wide as an angle, less than pi, rad. */
+    /** The stated field of view at which the smaller of the two equals an angle of less than pi, rad. */
     double fitting(double angle) {
         return 2.0 * Math.atan(Math.tan(0.5 * angle) / Math.min(width, height));
     }

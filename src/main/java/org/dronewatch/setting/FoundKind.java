@@ -21,7 +21,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
     /**
      * Checks the kind's declaration.
      *
-     * @throws InputException when files cannot choose it
+     * @throws InputException if the declaration is invalid, so that scene files could not use the kind
      */
     public FoundKind {
         String place = "kind '" + kind.name() + "' from " + source + ": ";

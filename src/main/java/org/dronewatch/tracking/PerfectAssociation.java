@@ -18,8 +18,9 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * A perfect association of measurements with contacts, which reads the truth: all measurements of one drone form one
  * contact. It takes the place of a tracker, which this library does not have, and performs at least as well as any
  * tracker. False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, form one contact,
- * too, as long as they may confirm each other; without a cell, each is a separate contact. Contacts are numbered from 1
- * in the order in which they appear; the numbers carry no information about drones. For use in one run.
+ * too, which ends after as many looks without a further one as confirmation allows; without a cell, each is a separate
+ * contact. Contacts are numbered from 1 in the order in which they appear; the numbers carry no information about
+ * drones. For use in one run.
  *
  * <p>False contacts of different sensors are matched by time and bearing, as by a tracker ({@link #matcher}); a drone's
  * contact, which all sensors share, matches no other.

@@ -327,9 +327,8 @@ class PlaceCandidatesTest {
                 .containsPattern(
                         "Without (\\S+), whose loss is worst, the layout covers 0\\.0 %, averaged over eight headings\\. Without \\1, nothing"
                                 + " cues eye-1-turn, which then counts as detecting nothing\\.")
-                .contains(
-                        "After a loss, the coverage by height still counts sensors that nothing cues any more as turned"
-                                + " to the drone.");
+                .contains("After a loss, the coverage by height still counts sensors as turned to the drone, even if"
+                        + " nothing cues them any longer.");
         Outcome asked = turningOutcome("budget: 6\nconditions: {anyoneLost: {atLeast: 0.01}}\n");
         assertThat(asked.code()).isEqualTo(2);
         assertThat(asked.err())

@@ -194,6 +194,11 @@ class SensorMoverTest {
         mover.select("ear");
         mover.shift(0, 1);
         assertThat(layout.unsaved()).containsExactly("ear");
+        layout.markSaved();
+        assertThat(layout.unsaved()).isEmpty();
+        // Of two that have been saved, one is moved back: no file has this layout.
+        layout.undo();
+        assertThat(layout.unsaved()).containsExactly("ear");
         assertThat(UnsavedMoves.words(Set.of("round")))
                 .isEqualTo("'round' was changed, and the scene has not been saved since.");
     }

@@ -33,7 +33,7 @@ public enum DroneOutcome {
         return isInTime.map(yes -> yes ? IN_TIME : LATE).orElse(ALERTED);
     }
 
-    /** Whether it has an outcome. */
+    /** Whether this drone has the given outcome. */
     boolean has(Outcome outcome) {
         return switch (outcome) {
             case DETECTED -> isDetected;

@@ -134,21 +134,22 @@ public final class CampaignFiles implements AutoCloseable {
     private FileChannel lock() throws IOException {
         FileChannel channel =
                 FileChannel.open(directory.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        boolean isHeld = false;
         try {
-            FileLock held = channel.tryLock();
+            FileLock lock = channel.tryLock();
             // What is locked may have been removed in between by the run that had it.
-            if (held != null && Files.exists(directory.resolve(LOCK))) {
-                return channel;
-            }
+            isHeld = lock != null && Files.exists(directory.resolve(LOCK));
         } catch (OverlappingFileLockException e) {
-            channel.close();
             throw new InputException(asked() + " is in use by another run", e);
-        } catch (IOException e) {
-            channel.close();
-            throw e;
+        } finally {
+            if (!isHeld) {
+                channel.close();
+            }
         }
-        channel.close();
-        throw new InputException(asked() + " is in use by another run: wait until it finishes");
+        if (!isHeld) {
+            throw new InputException(asked() + " is in use by another run: wait until it finishes");
+        }
+        return channel;
     }
 
     private static void removeUnfinished(Path where) throws IOException {

@@ -140,7 +140,7 @@ public final class WarningWords {
         long late = warnings.late();
         long undecided = warnings.undecided();
         if (late == 0 && undecided == 0) {
-            return required + "given from every bearing at every height.";
+            return required + "given for every bearing at every height.";
         }
         String isLate = late > 0 ? required + "not given in " + share(late, warnings.all()) + " cases." : "";
         return undecided == 0

@@ -74,8 +74,8 @@ final class FieldsTable {
         }
         if (!new Cues(layout.plan()).uncuedWithout(layout.chosen()).isEmpty()) {
             sentences.add(
-                    "After a loss, the coverage by height still counts sensors that nothing cues any more as turned"
-                            + " to the drone.");
+                    "After a loss, the coverage by height still counts sensors as turned to the drone, even if nothing"
+                            + " cues them any longer.");
         }
         return sentences;
     }

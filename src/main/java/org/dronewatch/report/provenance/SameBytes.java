@@ -23,7 +23,6 @@ public final class SameBytes {
             "runs.csv",
             "sensitivity.csv",
             "campaign.json",
-            "coverage.json",
             "route.json",
             "place.json",
             "plan.json",
@@ -48,7 +47,7 @@ public final class SameBytes {
     }
 
     /**
-     * Compares tables, results and pictures.
+     * Compares tables, results, maps, labels and pictures.
      *
      * @return the state of each file by its name, in the order of the names
      * @throws InputException when a file cannot be read

@@ -86,8 +86,8 @@ final class SearchNotes {
         }
         return (cause.isForCells()
                         ? "; try " + finer() + ", which may also show less exposed routes: they cannot be ruled out"
-                        : ", which smaller cells do not change; less exposed routes, which cannot be ruled out, may be found"
-                                + " between cell centres with " + finer())
+                        : "; smaller cells do not remove this error, but less exposed routes cannot be ruled out: to look for"
+                                + " them between cell centres, try " + finer())
                 + elsewhere(routes);
     }
 

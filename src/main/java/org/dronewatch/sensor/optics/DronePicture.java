@@ -17,7 +17,7 @@ import org.dronewatch.world.World;
  * drones, and keeps scratch memory for the drones: for use by one thread at a time.
  */
 public final class DronePicture {
-    /** Above the rounding of distances in an image, which are of single precision. */
+    /** Greater than the rounding error of distances in an image, which are of single precision. */
     private static final double ROUNDING = 4e-6;
 
     private final CameraObject camera;

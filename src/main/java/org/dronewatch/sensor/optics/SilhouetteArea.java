@@ -23,7 +23,7 @@ public final class SilhouetteArea {
     /** A mask saves several pictures of about this number of pixels: see {@link SilhouetteTable#mask}. */
     private static final int PIXELS_SAVED = 512;
 
-    /** Rays that take about as long as the question whether bounds are decisive. */
+    /** Number of rays whose tracing takes about as long as checking whether the bounds are decisive. */
     private static final int RAYS_AT_A_TIME = 8;
 
     private final CameraObject camera;

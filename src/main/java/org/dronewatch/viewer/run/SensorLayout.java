@@ -75,14 +75,13 @@ public final class SensorLayout {
         saved = settings;
     }
 
-    /** The sensors that are neither as they were saved most recently nor as in the scene that was opened. */
+    /**
+     * The sensors that differ from those saved most recently; none if the layout is that of the scene that was opened.
+     */
     public Set<String> unsaved() {
-        if (!isThere()) {
-            return Set.of();
-        }
-        Set<String> unsaved = changedFrom(saved);
-        unsaved.retainAll(changedFrom(begin == null ? original : begin));
-        return unsaved;
+        boolean isInFile =
+                !isThere() || changedFrom(begin == null ? original : begin).isEmpty();
+        return isInFile ? Set.of() : changedFrom(saved);
     }
 
     /** Remembers the layout: a single undo restores it. */

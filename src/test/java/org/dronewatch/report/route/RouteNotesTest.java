@@ -83,9 +83,9 @@ class RouteNotesTest extends RouteSamples {
         assertThat(scan.inTime(15.0)).isCloseTo(0.5, within(1e-6));
         assertThat(warning(scan))
                 .contains(
-                        "because the search assumes that 'slow' may look at any moment, whereas it looks only every 5 s,"
-                                + " which smaller cells do not change; less exposed routes, which cannot be ruled out, may be found"
-                                + " between cell centres with --cell 10m; to look for them less than 30 m above the ground,"
+                        "because the search assumes that 'slow' may look at any moment, whereas it looks only every 5 s;"
+                                + " smaller cells do not remove this error, but less exposed routes cannot be ruled out: to look for"
+                                + " them between cell centres, try --cell 10m; to look for them less than 30 m above the ground,"
                                 + " add lower --heights");
         assertThat(warning(cells))
                 .endsWith(

@@ -14,8 +14,9 @@ import org.dronewatch.world.World;
  * globally shortest path; over several, it is the path used by the standards, which treat propagation in separate
  * planes. A path through an opening that none of the planes intersects is not found.
  *
- * <p>Short detours are tried first, so that only obstacles near the straight line are examined if that suffices.
- * Exchanging the points gives the same path. For use by one thread.
+ * <p>Short detours are tried first, in the vertical and the horizontal plane before the others, so that only obstacles
+ * near the straight line are examined if that suffices. Exchanging the points gives the same path. For use by one
+ * thread.
  */
 public final class EdgePath {
     private static final int PLANES = 12;
@@ -29,10 +30,11 @@ public final class EdgePath {
     private static final double LONGER = 8.0;
 
     /**
-     * Up to this detour, m, the vertical plane and the one across it are tried alone at first: most paths lead over
-     * obstacles or around their sides.
+     * The longest detour of a path in the vertical or the horizontal plane that is used as a bound, m. Most paths lead
+     * over a building or around it, and one plane costs a twelfth of all. A bound that is much too large makes the
+     * other planes slower, but not less accurate.
      */
-    private static final double MOST_ALONE = 32.0;
+    private static final double LONGEST_BOUND = 32.0;
 
     /** Other planes are rotated, too, if their detour is at most this multiple of the shortest. */
     private static final double NEARLY_AS_SHORT = 1.15;
@@ -103,9 +105,8 @@ public final class EdgePath {
         if (!(straight > 0.0) || mesh.triangleCount() == 0) {
             return false;
         }
-        searchAcross();
+        boundByMainPlanes();
         if (isFound()) {
-            // Longer paths in other planes are of no interest.
             search(Double.POSITIVE_INFINITY);
             return true;
         }
@@ -187,25 +188,22 @@ public final class EdgePath {
         return Double.isFinite(pathDifference);
     }
 
-    /** Tries the vertical plane and the one across it alone: a path in one of them limits the search in all others. */
-    private void searchAcross() {
-        for (double detour = FIRST_DETOUR; !isFound() && detour <= MOST_ALONE; detour *= LONGER) {
+    /** Finds a path in the vertical or the horizontal plane: its length limits the search in all planes. */
+    private void boundByMainPlanes() {
+        for (double detour = FIRST_DETOUR; !isFound() && detour <= LONGEST_BOUND; detour *= LONGER) {
             for (int i = 0; i < PLANES; i += PLANES / 2) {
-                detours[i] = detour(i * Math.PI / PLANES, bound(straight + detour));
+                detour(i * Math.PI / PLANES, bound(straight + detour));
             }
         }
     }
 
-    /** Tries all planes that have not been tried alone, and rotates the best ones. */
+    /** Tries all planes, and rotates the best ones. */
     private void search(double limit) {
         double step = Math.PI / PLANES;
-        boolean anyKnown = isFound();
         minima = 0;
         ofShortest = FIXED;
         for (int i = 0; i < PLANES; i++) {
-            if (!anyKnown || i % (PLANES / 2) != 0) {
-                detours[i] = detour(i * step, bound(limit));
-            }
+            detours[i] = detour(i * step, bound(limit));
         }
         double best = pathDifference;
         if (!isFound()) {

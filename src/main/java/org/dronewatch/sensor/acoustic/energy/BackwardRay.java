@@ -156,6 +156,7 @@ final class BackwardRay {
         if (!ofTarget.isCrossed(ray, arrival.leg(), end, random)) {
             return;
         }
+        recordArrival();
         for (int band = 0; band < emitted.length; band++) {
             emitted[band] = energy.byBand()[band] * ends.targetFactor(band, ofTarget.rise()) * corrected(band);
         }
@@ -178,6 +179,12 @@ final class BackwardRay {
                     ray.originY + length * ray.directionY,
                     ray.originZ + length * ray.directionZ,
                     false);
+        }
+    }
+
+    private void recordArrival() {
+        if (recorder != RayRecorder.NONE) {
+            record(ends.target().x(), ends.target().y(), ends.target().z(), true);
         }
     }
 
@@ -254,8 +261,8 @@ final class BackwardRay {
 
     private void join(int triangle, int material, double[] leaving) {
         traced += connection.add(ray, planes.wallOf(triangle), normal, material, leaving, arrival, scattered);
-        if (recorder != RayRecorder.NONE && connection.isJoined()) {
-            record(ends.target().x(), ends.target().y(), ends.target().z(), true);
+        if (connection.isJoined()) {
+            recordArrival();
         }
     }
 

@@ -60,10 +60,21 @@ final class Convergence {
 
     private final EnergyTally tally;
     private final MissedRays missed;
+    private boolean isThroughWalls;
 
     Convergence(EnergyTally tally, MissedRays missed) {
         this.tally = tally;
         this.missed = missed;
+    }
+
+    /**
+     * Prepares for one look.
+     *
+     * @param throughWalls whether the straight path leads through walls that transmit sound: of a thousand rays, none
+     *     may pass such a wall, and each that does contributes more than many others, however little the wall transmits
+     */
+    void begin(boolean throughWalls) {
+        isThroughWalls = throughWalls;
     }
 
     /**
@@ -75,6 +86,7 @@ final class Convergence {
      */
     boolean isAccurate(int quantity, double heard, double accuracy) {
         return heard > 0.0
+                && !(isThroughWalls && tally.rays() < SEVERAL_THOUSAND)
                 && Levels.ofRatio(1.0 + tally.standardError(quantity) / heard) < accuracy
                 && (isInsignificant(quantity, heard) ? hasShownMost(quantity, heard) : isEnough(quantity));
     }

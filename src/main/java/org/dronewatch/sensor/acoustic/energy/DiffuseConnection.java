@@ -132,7 +132,7 @@ final class DiffuseConnection {
         tally.add(ray, brought, distance);
     }
 
-    /** Whether the last point that was connected is joined straight to the target. */
+    /** Whether sound from the last point that was added reaches the target straight from there. */
     boolean isJoined() {
         return isJoined;
     }

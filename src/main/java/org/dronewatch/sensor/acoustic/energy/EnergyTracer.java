@@ -38,12 +38,6 @@ public final class EnergyTracer {
      */
     static final int FEWEST = 1000;
 
-    /**
-     * The same where the straight path leads through walls: of a thousand rays, few or none pass through such a wall,
-     * and each that does contributes more than many others.
-     */
-    private static final int FEWEST_THROUGH_WALLS = 3000;
-
     /** Characteristic impedance at which levels of sound pressure and of intensity are equal, Pa s/m (ISO 1683). */
     private static final double REFERENCE_IMPEDANCE = 400.0;
 
@@ -64,7 +58,6 @@ public final class EnergyTracer {
     private final Convergence convergence;
     private final EnergyLedger ledger = new EnergyLedger();
     private final BatchTeams batches;
-    private int fewest;
 
     /**
      * A tracer to one sensor.
@@ -106,8 +99,8 @@ public final class EnergyTracer {
         tally.clear();
         Ends ends = search.find(source, exact, bending.between(source.position(), sensor));
         missed.between(ends);
-        fewest = exact.isThroughWalls() ? FEWEST_THROUGH_WALLS : FEWEST;
-        recordStraight(source, recorder);
+        convergence.begin(exact.isThroughWalls());
+        recordStraight(ends, recorder);
         long seed = random.nextLong();
         // A recorder takes one segment at a time.
         int threads = recorder == RayRecorder.NONE ? Workers.available() : 1;
@@ -130,15 +123,16 @@ public final class EnergyTracer {
     }
 
     /** Records the straight path like a ray of its own, if sound arrives along it. */
-    private void recordStraight(SoundSource source, RayRecorder recorder) {
+    private void recordStraight(Ends ends, RayRecorder recorder) {
         double arriving = 0.0;
         for (int band = 0; band < OctaveBands.COUNT; band++) {
             arriving += exact.direct().heard(band);
         }
         if (arriving > 0.0) {
-            Position from = source.position();
-            double level = Levels.ofRatio(source.emitted() / model.rays());
-            recorder.record(from.x(), from.y(), from.z(), sensor.x(), sensor.y(), sensor.z(), level, 0, true);
+            Position from = ends.start();
+            Position to = ends.target();
+            double level = Levels.ofRatio(ends.source().emitted() / model.rays());
+            recorder.record(from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), level, 0, true);
         }
     }
 
@@ -147,8 +141,8 @@ public final class EnergyTracer {
         if (!(model.accuracy() > 0.0)) {
             return Integer.MAX_VALUE;
         }
-        if (rays < fewest) {
-            return batches(fewest - rays);
+        if (rays < FEWEST) {
+            return batches(FEWEST - rays);
         }
         double excess = errorLevel(source) / model.accuracy();
         return batches(rays * (excess * excess - 1.0));
@@ -200,7 +194,7 @@ public final class EnergyTracer {
     }
 
     private boolean isAccurate(SoundSource source, int rays) {
-        if (rays < fewest) {
+        if (rays < FEWEST) {
             return false;
         }
         int quantity = decisive(source);

@@ -32,8 +32,6 @@ final class SpecularPaths {
     private final GroundReflection ground;
     private final SpecularPath path;
     private final SingleReflections reflections;
-    private final ImageSources singles;
-    private final double[] imagesInSingles;
     private final double[] heard = new double[BANDS];
     private PathCurvature curvature = PathCurvature.NONE;
     private final List<int[]> found = new ArrayList<>();
@@ -46,14 +44,7 @@ final class SpecularPaths {
         this.ground = ground;
         this.path = new SpecularPath(world, planes, surfaces);
         path.throughWalls(true);
-        int[] parents = new int[planes.count() + 1];
-        int[] walls = new int[planes.count() + 1];
-        for (int image = 1; image < walls.length; image++) {
-            walls[image] = image - 1;
-        }
         this.reflections = new SingleReflections(planes);
-        this.singles = new ImageSources(parents, walls);
-        this.imagesInSingles = new double[3 * walls.length];
     }
 
     /** Sets how air bends the paths of the next look. */
@@ -72,13 +63,10 @@ final class SpecularPaths {
         Position drone = source.position();
         path.bend(curvature, true);
         reflections.find(drone.x(), drone.y(), drone.z(), sensor.x(), sensor.y(), sensor.z());
-        imagesInSingles[0] = sensor.x();
-        imagesInSingles[1] = sensor.y();
-        imagesInSingles[2] = sensor.z();
         for (int i = 0; i < reflections.count(); i++) {
-            int image = 1 + reflections.wall(i);
-            planes.mirror(reflections.wall(i), imagesInSingles, 0, imagesInSingles, 3 * image);
-            if (path.follow(singles, imagesInSingles, image, drone.x(), drone.y(), drone.z())) {
+            ImageSources single = ImageSources.of(reflections.wall(i));
+            imagesOf(sensor, single);
+            if (path.follow(single, imagePositions, 1, drone.x(), drone.y(), drone.z())) {
                 FoundPaths itsPlace = ground.among(paths, path.metFirst(0), path.metFirst(1), path.metFirst(2));
                 add(itsPlace, source, path.riseFromBeginning());
             }

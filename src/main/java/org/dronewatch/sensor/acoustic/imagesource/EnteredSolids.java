@@ -26,7 +26,7 @@ public final class EnteredSolids {
     /** Takes over the solids of another path. */
     void copy(EnteredSolids other) {
         if (other.count == 0) {
-            // In the air, as paths begin nearly always.
+            // Most paths begin in the air.
             count = 0;
             return;
         }

@@ -9,7 +9,7 @@ import java.util.Arrays;
  * every wall that reflects, and others. For use by one thread.
  */
 public final class SingleReflections {
-    /** More than all rounding errors of the quantities compared, relative to the size of each. */
+    /** Far more than the rounding errors of angles, far less than the angles of cones. */
     private static final double ROUNDING = 1e-6;
 
     private final WallTree tree;
@@ -101,6 +101,7 @@ public final class SingleReflections {
 
     /** The distance between two unit vectors, by the sine of the angle between them, which is below 90 degrees. */
     private static double chord(double sine) {
-        return Math.sqrt(2.0 - 2.0 * Math.sqrt(1.0 - sine * sine));
+        // Without cancellation where the sine is small.
+        return sine * Math.sqrt(2.0 / (1.0 + Math.sqrt(1.0 - sine * sine)));
     }
 }

@@ -79,6 +79,7 @@ public final class WallPlanes {
         this.triangleOf = grouping.triangles();
         this.bounds = bounds(mesh);
         this.isMixed = mixed(mesh);
+        // Reads the planes: all other fields are set.
         this.tree = new WallTree(this);
     }
 
@@ -201,7 +202,7 @@ public final class WallPlanes {
         return bounds[BOUNDS * wall + axis];
     }
 
-    /** Their greatest coordinate, with a margin, m. */
+    /** The greatest coordinate of all triangles in a plane, with a margin, m. */
     double high(int wall, int axis) {
         return bounds[BOUNDS * wall + 3 + axis];
     }

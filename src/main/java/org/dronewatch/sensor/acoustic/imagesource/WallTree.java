@@ -3,21 +3,22 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import java.util.Arrays;
 
 /**
- * A binary tree of walls. Each node has a sphere around its walls and a cone around their normals, whose signs do not
- * matter. Immutable.
+ * A bounding volume hierarchy of walls: each node has a bounding sphere of its walls and a cone of their normals, whose
+ * signs do not matter (L. Shirman and S. Abi-Ezzi, The cone of normals technique, Computer Graphics Forum 12, 261,
+ * 1993). Immutable.
  */
 final class WallTree {
     /** The node of all walls. */
     static final int ROOT = 0;
 
     /** Nodes of up to this number of walls are not divided. */
-    private static final int MOST_IN_LEAF = 8;
+    private static final int MAX_LEAF_SIZE = 8;
 
-    /** Cells along each axis by which walls are ordered, as a power of two. */
+    /** Bits of a coordinate along each axis in the Morton code. */
     private static final int CELL_BITS = 10;
 
     /** A node's centre, the radius around it, the axis of its cone, and cosine and sine of the cone's half-angle. */
-    private static final int NUMBERS = 9;
+    private static final int STRIDE = 9;
 
     private static final int RADIUS = 3;
     private static final int AXIS = 4;
@@ -40,20 +41,20 @@ final class WallTree {
 
     /** A tree of all walls of a world. */
     WallTree(WallPlanes planes) {
-        this.walls = inOrder(planes);
+        this.walls = mortonOrder(planes);
         // Each leaf has at least half of the most walls that it can have, unless it is the only one.
-        int most = 1 + 4 * walls.length / MOST_IN_LEAF;
+        int most = 1 + 4 * walls.length / MAX_LEAF_SIZE;
         this.starts = new int[most];
         this.ends = new int[most];
         this.rights = new int[most];
-        this.numbers = new double[NUMBERS * most];
+        this.numbers = new double[STRIDE * most];
         if (walls.length > 0) {
             add(planes, 0, walls.length, 1);
         }
     }
 
-    /** The walls by the cells of their centres along a curve that fills space (G. M. Morton, IBM, 1966). */
-    private static int[] inOrder(WallPlanes planes) {
+    /** The walls in the Morton order of their centres: walls that follow one another are near each other. */
+    private static int[] mortonOrder(WallPlanes planes) {
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (int wall = 0; wall < planes.count(); wall++) {
@@ -93,8 +94,8 @@ final class WallTree {
         depth = Math.max(depth, level);
         starts[node] = start;
         ends[node] = end;
-        surround(planes, node);
-        if (end - start > MOST_IN_LEAF) {
+        bound(planes, node);
+        if (end - start > MAX_LEAF_SIZE) {
             int middle = (start + end) >>> 1;
             add(planes, start, middle, level + 1);
             rights[node] = add(planes, middle, end, level + 1);
@@ -102,8 +103,8 @@ final class WallTree {
         return node;
     }
 
-    private void surround(WallPlanes planes, int node) {
-        int at = NUMBERS * node;
+    private void bound(WallPlanes planes, int node) {
+        int at = STRIDE * node;
         double diagonal = 0.0;
         for (int axis = 0; axis < 3; axis++) {
             double low = Double.POSITIVE_INFINITY;
@@ -116,11 +117,11 @@ final class WallTree {
             diagonal += (high - low) * (high - low);
         }
         numbers[at + RADIUS] = 0.5 * Math.sqrt(diagonal) * (1.0 + ROUNDING);
-        surroundNormals(planes, node);
+        boundNormals(planes, node);
     }
 
-    private void surroundNormals(WallPlanes planes, int node) {
-        int at = NUMBERS * node;
+    private void boundNormals(WallPlanes planes, int node) {
+        int at = STRIDE * node;
         int first = walls[starts[node]];
         double[] axis = {planes.normal(first, 0), planes.normal(first, 1), planes.normal(first, 2)};
         double[] sum = new double[3];
@@ -174,7 +175,7 @@ final class WallTree {
         return starts[node];
     }
 
-    /** One more than the index of its last wall. */
+    /** One more than the index of a node's last wall in the order of the tree. */
     int end(int node) {
         return ends[node];
     }
@@ -185,26 +186,26 @@ final class WallTree {
 
     /** A coordinate of the centre of a node's sphere, m. */
     double centre(int node, int axis) {
-        return numbers[NUMBERS * node + axis];
+        return numbers[STRIDE * node + axis];
     }
 
-    /** Its radius, m. */
+    /** The radius of a node's sphere, m. */
     double radius(int node) {
-        return numbers[NUMBERS * node + RADIUS];
+        return numbers[STRIDE * node + RADIUS];
     }
 
     /** A component of the unit vector along the axis of a node's cone. */
     double axis(int node, int axis) {
-        return numbers[NUMBERS * node + AXIS + axis];
+        return numbers[STRIDE * node + AXIS + axis];
     }
 
-    /** Cosine of the angle between the axis and the farthest normal, 0 or more. */
+    /** Cosine of the angle between the axis of a node's cone and the farthest normal, 0 or more. */
     double cosine(int node) {
-        return numbers[NUMBERS * node + COSINE];
+        return numbers[STRIDE * node + COSINE];
     }
 
-    /** Sine of that angle. */
+    /** Sine of the angle between the axis and the farthest normal. */
     double sine(int node) {
-        return numbers[NUMBERS * node + SINE];
+        return numbers[STRIDE * node + SINE];
     }
 }

@@ -27,7 +27,7 @@ public final class Normals {
         }
     }
 
-    /** Writes the unit normal of a triangle that points to the side from which a ray arrives. */
+    /** Writes a triangle's unit normal on the side from which a ray arrives. */
     public void facing(int triangle, AcousticRay ray, double[] target) {
         int row = NUMBERS * triangle;
         if (row < table.length) {

@@ -40,7 +40,7 @@ public interface SoundTracer {
      * draw other random numbers, and the quantity may be lower for a drone that is missed. Calls {@code signal} unless
      * overridden.
      *
-     * @param resolution the probabilities that count as equal
+     * @param resolution states which probabilities count as equal
      */
     default Signal coarseSignal(Drone drone, RandomGenerator random, ProbabilityResolution resolution) {
         return signal(drone, random);

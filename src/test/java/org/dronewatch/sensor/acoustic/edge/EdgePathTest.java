@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
 /** Shortest ways among random sheets, which cross each other, against all ways from end to end. */
 class EdgePathTest {
     private static final double WIDTH = 4000;
+    private static final Position FRONT = new Position(0, -10, 0);
+    private static final Position BEHIND = new Position(0, 10, 0);
 
     @Test
     void amongRandomSheetsTheShortestWayIsFound() {
@@ -56,6 +58,59 @@ class EdgePathTest {
         assertThat(found).isGreaterThan(200);
         assertThat(several).isGreaterThan(100);
         assertThat(most).isGreaterThanOrEqualTo(4);
+    }
+
+    /** Over a sheet or around its side, whichever is shorter: both ways count once, from either end. */
+    @Test
+    void nearlyEqualWaysCountOnceEach() {
+        double[][] detours = {{0.49, 0.52}, {0.52, 0.49}, {3.9, 4.2}, {4.2, 3.9}, {31.5, 33.0}, {0.3, 0.31}};
+        for (double[] detour : detours) {
+            float side = at(detour[0]);
+            float top = at(detour[1]);
+            EdgePath path = new EdgePath(rectangles(new float[][] {{(float) -WIDTH, side, (float) -WIDTH, top}}));
+            for (Position source : new Position[] {FRONT, BEHIND}) {
+                assertThat(path.find(source, source == FRONT ? BEHIND : FRONT)).isTrue();
+                assertThat(path.pathDifference())
+                        .as("%s", Arrays.toString(detour))
+                        .isCloseTo(Math.min(detour[0], detour[1]), within(1e-5));
+                assertThat(path.others()).as("%s", Arrays.toString(detour)).isEqualTo(2);
+                double longer = Math.min(path.other(0).detour(), path.other(1).detour());
+                assertThat(longer)
+                        .as("%s: the other way", Arrays.toString(detour))
+                        .isCloseTo(Math.max(detour[0], detour[1]), within(1e-5));
+            }
+        }
+    }
+
+    /** A window that neither the vertical nor the horizontal plane meets is nearer than the top of the wall. */
+    @Test
+    void aShorterWayInAnotherPlaneIsFound() {
+        float w = (float) WIDTH;
+        EdgePath path = new EdgePath(rectangles(
+                new float[][] {{-w, 1.8f, -w, 4f}, {2.2f, w, -w, 4f}, {1.8f, 2.2f, -w, 1.8f}, {1.8f, 2.2f, 2.2f, 4f}}));
+        assertThat(path.find(FRONT, BEHIND)).isTrue();
+        assertThat(path.pathDifference()).isCloseTo(2 * Math.sqrt(100 + 2 * 1.8 * 1.8) - 20, within(1e-5));
+    }
+
+    /** How far off the middle of the line between both ends a way has a detour. */
+    private static float at(double detour) {
+        double half = 10 + detour / 2;
+        return (float) Math.sqrt(half * half - 100);
+    }
+
+    /** Rectangles in the plane y = 0, each from x to x and from z to z. */
+    private static World rectangles(float[][] bounds) {
+        float[] vertices = new float[12 * bounds.length];
+        int[] corners = new int[6 * bounds.length];
+        for (int i = 0; i < bounds.length; i++) {
+            for (int k = 0; k < 4; k++) {
+                vertices[12 * i + 3 * k] = bounds[i][k % 2];
+                vertices[12 * i + 3 * k + 2] = bounds[i][2 + k / 2];
+            }
+            int[] square = {4 * i, 4 * i + 1, 4 * i + 3, 4 * i, 4 * i + 3, 4 * i + 2};
+            System.arraycopy(square, 0, corners, 6 * i, 6);
+        }
+        return World.of(TriangleMesh.of(vertices, corners));
     }
 
     /** The shortest way from the first point to the second over ends of sheets, which are the pairs after these. */
