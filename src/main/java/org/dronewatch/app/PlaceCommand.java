@@ -49,8 +49,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description =
                 "Chooses, from the sensors that can be bought and the places where they can be installed, those that cover the"
-                        + " most airspace within a budget, give the longest warning, or expose drones most even on the"
-                        + " route on which they are least exposed; prints the layout, a bound on what any other could achieve, and the order in which to"
+                        + " most airspace within a budget, give the longest warning, or maximise a drone's exposure"
+                        + " on its least exposed route; prints the layout, a bound on what any other could achieve, and the order in which to"
                         + " buy its sensors.",
         footer = {
             "",

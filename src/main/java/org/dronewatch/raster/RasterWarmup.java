@@ -3,21 +3,21 @@ package org.dronewatch.raster;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * A counter of the pixels of large models that tile tracers draw until the just-in-time compiler has warmed up. After
- * {@link #PIXELS} pixels, the tracers that use the counter switch to the processor's vector instructions, where these
+ * Counts the pixels of large models that are rasterised before the just-in-time compiler has warmed up. After
+ * {@link #PIXELS} pixels, the rasterisers that use the counter switch to the processor's vector instructions, where these
  * can be used ({@code --add-modules jdk.incubator.vector}). The pixels are the same before and after, bit for bit; only
  * the speed differs.
  *
  * <p>The compiler needs about 0.3 s before vector instructions pay off; in this time the scalar code draws
  * {@link #PIXELS} pixels, so short jobs, such as a few images, never incur the warm-up cost. Compiled code is per
- * process, so tracers use the counter of the process ({@link #OF_PROCESS}) unless they are given another, such as a new
+ * process, so rasterisers use the counter of the process ({@link #OF_PROCESS}) unless they are given another, such as a new
  * one to measure or test either state. Shared by all threads.
  */
 public final class RasterWarmup {
     /** The number of pixels of large models that are drawn without vector instructions. */
     public static final long PIXELS = 8_000_000;
 
-    /** The counter that all tile tracers of this process use unless they are given another. */
+    /** The counter that all rasterisers of this process use unless they are given another. */
     public static final RasterWarmup OF_PROCESS = new RasterWarmup();
 
     private final AtomicLong pixels = new AtomicLong();

@@ -83,7 +83,7 @@ public final class LayerStore {
         return new LayerStore(store, text.toString());
     }
 
-    /** This store for assessments that also depend on what is interpolated between the cells of a field. */
+    /** This store for assessments that also depend on the signals interpolated between the cells of a field. */
     public LayerStore about(FieldGrid grid, List<Course> courses) {
         return store.isEmpty() ? this : new LayerStore(store, world + grid + courses);
     }
@@ -98,7 +98,7 @@ public final class LayerStore {
     }
 
     /**
-     * What is interpolated between the cells of a field: taken from this store if it is there, otherwise computed on
+     * The signals interpolated between the cells of a field: taken from this store if it is there, otherwise computed on
      * the {@link Workers} of the calling thread; empty if each cell is assessed.
      *
      * @param plan description of where the columns are, which is part of the key

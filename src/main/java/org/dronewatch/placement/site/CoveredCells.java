@@ -153,8 +153,8 @@ public final class CoveredCells {
     }
 
     /**
-     * By row: its weight; the sum for each condition is the number of rows of the scene as it is, however much its
-     * zones weigh.
+     * By row: its weight; the sum for each condition is the number of rows of the scene as it is, whatever the
+     * weights of its zones.
      *
      * @throws InputException when nothing has a weight
      */

@@ -123,13 +123,13 @@ public record RoutePlaceResults(
                 .reproduction(scene).stream().toList();
     }
 
-    /** That flights may show weaker routes than the figures promise, in a sentence; empty if they do not. */
+    /** That flights may show weaker routes than the figures state, in a sentence; empty if they do not. */
     Optional<String> unsettled() {
         return isSettled
                 ? Optional.empty()
                 : Optional.of("After flights along routes, layouts are compared again at most "
                         + RouteLayouts.MOST_COMPARED + " times; by then, flights past these layouts still showed weaker"
-                        + " routes than the search had promised.");
+                        + " routes than the search had found.");
     }
 
     @Override

@@ -86,7 +86,7 @@ final class RouteReport {
                         + " arrival"
                         + (survey.isAlertKnown()
                                 ? "; 'alert in time' is the probability that the scene's rule raises an alert early enough,"
-                                        + " where the times of the flight and of the response vary by 30 %"
+                                        + " assuming that flight time and response time each have a standard deviation of 30 %"
                                 : "")
                         + (ModeWords.areSlow(survey)
                                 ? "; 'slow' is how long the drone flies at "

@@ -50,7 +50,7 @@ public final class BandFactors {
         }
     }
 
-    /** The sum over all bands, added in pairs, so that no addition has to wait for seven others. */
+    /** The sum over all bands, added pairwise, so that additions overlap instead of each waiting for the one before. */
     public static double sum(double[] values) {
         return ((values[0] + values[1]) + (values[2] + values[3]))
                 + ((values[4] + values[5]) + (values[6] + values[7]));
