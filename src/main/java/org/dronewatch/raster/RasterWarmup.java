@@ -4,14 +4,14 @@ import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Counts the pixels of large models that are rasterised before the just-in-time compiler has warmed up. After
- * {@link #PIXELS} pixels, the rasterisers that use the counter switch to the processor's vector instructions, where these
- * can be used ({@code --add-modules jdk.incubator.vector}). The pixels are the same before and after, bit for bit; only
- * the speed differs.
+ * {@link #PIXELS} pixels, the rasterisers that use the counter switch to the processor's vector instructions, where
+ * these can be used ({@code --add-modules jdk.incubator.vector}). The pixels are the same before and after, bit for
+ * bit; only the speed differs.
  *
  * <p>The compiler needs about 0.3 s before vector instructions pay off; in this time the scalar code draws
  * {@link #PIXELS} pixels, so short jobs, such as a few images, never incur the warm-up cost. Compiled code is per
- * process, so rasterisers use the counter of the process ({@link #OF_PROCESS}) unless they are given another, such as a new
- * one to measure or test either state. Shared by all threads.
+ * process, so rasterisers use the counter of the process ({@link #OF_PROCESS}) unless they are given another, such as a
+ * new one to measure or test either state. Shared by all threads.
  */
 public final class RasterWarmup {
     /** The number of pixels of large models that are drawn without vector instructions. */

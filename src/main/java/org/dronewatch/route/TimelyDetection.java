@@ -9,8 +9,8 @@ import org.dronewatch.setting.Quantity;
  * Whether an intruder is detected early enough to be stopped: the EASI model (estimate of adversary sequence
  * interruption; H. A. Bennett, SAND77-1082, Sandia Laboratories 1977; M. L. Garcia, The Design and Evaluation of
  * Physical Protection Systems, 2nd edition 2008, chapter 13). Durations are independent and normally distributed. The
- * misses of different tasks count as independent, which they are not where the same
- * obstacle hides the intruder from several sensors.
+ * misses of different tasks count as independent, which they are not where the same obstacle hides the intruder from
+ * several sensors.
  *
  * @param tasks tasks of the path, from the first to the last, at least one
  * @param sensing at which point of a task the intruder is detected

@@ -98,8 +98,8 @@ public final class LayerStore {
     }
 
     /**
-     * The signals interpolated between the cells of a field: taken from this store if it is there, otherwise computed on
-     * the {@link Workers} of the calling thread; empty if each cell is assessed.
+     * The signals interpolated between the cells of a field: taken from this store if they are there, otherwise
+     * computed on the {@link Workers} of the calling thread; empty if each cell is assessed.
      *
      * @param plan description of where the columns are, which is part of the key
      * @param progress receives the number of cells done since the last call; in total, all cells if levels may be

@@ -107,8 +107,12 @@ public final class EdgePath {
         }
         boundByMainPlanes();
         if (isFound()) {
-            search(Double.POSITIVE_INFINITY);
-            return true;
+            double most = bound(Double.POSITIVE_INFINITY);
+            pathDifference = Double.POSITIVE_INFINITY;
+            search(most);
+            if (isFound()) {
+                return true;
+            }
         }
         double farthest = line.farthest(world.bounds());
         double detour = FIRST_DETOUR;

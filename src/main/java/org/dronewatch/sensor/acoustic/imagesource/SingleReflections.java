@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * Finds the walls that may reflect sound specularly from one point straight to another: at the point of reflection, a
  * wall's normal halves the angle between the directions to both. Whole branches of a tree of walls are ruled out by the
- * box around them and the cone of their normals, so that few walls of a terrain need to be tried. The result contains
- * every wall that reflects, and others. For use by one thread.
+ * sphere around them and the cone of their normals, so that few walls of a terrain need to be tried. The result
+ * contains every wall that reflects, and others. For use by one thread.
  */
 public final class SingleReflections {
     /** Far more than the rounding errors of angles, far less than the angles of cones. */
@@ -67,7 +67,7 @@ public final class SingleReflections {
     }
 
     /**
-     * Whether the bisector of the directions from some point of a node's box to both points may be the normal of a
+     * Whether the bisector of the directions from some point of a node's sphere to both points may be the normal of a
      * plane in the node, or the opposite.
      */
     private boolean mayReflect(int node, double ax, double ay, double az, double bx, double by, double bz) {
@@ -87,7 +87,7 @@ public final class SingleReflections {
         double y = toAy / toA + toBy / toB;
         double z = toAz / toA + toBz / toB;
         double sum = Math.sqrt(x * x + y * y + z * z);
-        // By how much the sum of both unit vectors changes at most within the sphere around the box.
+        // By how much the sum of both unit vectors changes at most within the sphere.
         double sine = (chord(radius / toA) + chord(radius / toB)) / sum + ROUNDING;
         if (!(sine < 1.0)) {
             return true;
