@@ -1,7 +1,6 @@
 package org.dronewatch.analysis.cell;
 
 import java.util.Optional;
-import org.dronewatch.analysis.layer.LookWindow;
 import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.ProbabilityResolution;
 import org.dronewatch.sensor.SensorSettings;
@@ -67,7 +66,7 @@ public record FieldTerms(
      * p of detecting it: in one look, p; in the n whole looks within a time, {@code 1 - (1 - p)^n}. Where chance
      * decides once per encounter, the probability is that of an observer drawn at random who searches for as long as
      * the looks take, that is, for the time t of n intervals between looks: {@code p (1 - exp(-p t / 3.4 s))}; see
-     * {@link Chance#hazard}. For a sensor that searches, whose looks differ, see {@link LookWindow}.
+     * {@link Chance#hazard}. For a sensor that searches, whose looks differ, see {@code LookWindow}.
      *
      * @param look probability that a single look detects the drone, 0 to 1
      * @return the probability, 0 to 1; 0 or 1 only where this is exact

@@ -9,13 +9,12 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.cell.FieldTerms;
 import org.dronewatch.analysis.layer.ExcessSurvey;
 import org.dronewatch.analysis.layer.FieldProbe;
-import org.dronewatch.analysis.survey.FieldSurvey;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.run.Stage;
 import org.dronewatch.scenario.SceneSettings;
 
 /**
- * A request for a {@link FieldSurvey}.
+ * A request for a {@code FieldSurvey}.
  *
  * @param settings settings of one run
  * @param stage world and drones of that run

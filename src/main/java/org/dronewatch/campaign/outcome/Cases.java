@@ -1,7 +1,6 @@
 package org.dronewatch.campaign.outcome;
 
 import java.util.List;
-import org.dronewatch.campaign.CampaignPlan;
 
 /** Cases that can be run in any order, each with every variant. Immutable and thread-safe. */
 public interface Cases {
@@ -11,7 +10,7 @@ public interface Cases {
     /** The names of the variants with which the cases are run. */
     List<String> variants();
 
-    /** The values of a case as text, in the order of {@link CampaignPlan#paths()}. */
+    /** The values of a case as text, in the order of {@code CampaignPlan.paths()}. */
     List<String> values(int number);
 
     /** The seed of the runs of a case, the same for all variants. */

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.dronewatch.geometry.Position;
-import org.dronewatch.route.search.RouteMode;
 
 /**
  * How exposed a drone is at a position: the rate at which it is detected, given that it has not been detected yet. Its
@@ -22,7 +21,7 @@ public interface ExposureField {
      * @param y north coordinate, m
      * @param z height in the world, m
      * @param motion heading, speed and rate of climb
-     * @param mode number of the drone's {@link RouteMode}
+     * @param mode number of the drone's {@code RouteMode}
      */
     double rate(double x, double y, double z, LegMotion motion, int mode);
 
@@ -33,7 +32,7 @@ public interface ExposureField {
      * @param from where the leg begins, m
      * @param to where the leg ends, m; a different point
      * @param motion motion of the drone
-     * @param mode number of the drone's {@link RouteMode}
+     * @param mode number of the drone's {@code RouteMode}
      * @param longest the greatest length of a piece, above 0, m
      */
     default double mean(Position from, Position to, LegMotion motion, int mode, double longest) {
@@ -46,7 +45,7 @@ public interface ExposureField {
      *
      * @param low the corner of the box with the least coordinates, m
      * @param high the corner with the greatest coordinates, m
-     * @param mode number of the drone's {@link RouteMode}
+     * @param mode number of the drone's {@code RouteMode}
      */
     double least(Position low, Position high, int mode);
 

@@ -25,7 +25,10 @@ final class Convergence {
      */
     private static final double ENOUGH = 20.0;
 
-    /** Where rays contribute little, but not hardly anything, or nothing so far, this many must be traced, ... */
+    /**
+     * Where the straight path leads through walls, this many rays must be traced. Also where rays contribute little,
+     * but not hardly anything, or nothing so far, ...
+     */
     private static final double SEVERAL_THOUSAND = 3000.0;
 
     /** ... and make this many effective contributions, ... */
@@ -86,7 +89,7 @@ final class Convergence {
      */
     boolean isAccurate(int quantity, double heard, double accuracy) {
         return heard > 0.0
-                && !(isThroughWalls && tally.rays() < SEVERAL_THOUSAND)
+                && hasPassedWalls()
                 && Levels.ofRatio(1.0 + tally.standardError(quantity) / heard) < accuracy
                 && (isInsignificant(quantity, heard) ? hasShownMost(quantity, heard) : isEnough(quantity));
     }
@@ -132,8 +135,12 @@ final class Convergence {
     boolean isReached(int quantity, double heard) {
         return heard > 0.0
                 && (isInsignificant(quantity, heard)
-                        || isEnough(quantity)
-                        || tally.strongest(quantity) * ENOUGH <= heard);
+                        || hasPassedWalls() && (isEnough(quantity) || tally.strongest(quantity) * ENOUGH <= heard));
+    }
+
+    /** Whether rays have passed all walls of the straight path, as far as their number tells. */
+    private boolean hasPassedWalls() {
+        return !isThroughWalls || tally.rays() >= SEVERAL_THOUSAND;
     }
 
     private boolean isEnough(int quantity) {

@@ -91,7 +91,8 @@ public final class EnergyTracer {
      *
      * @param drone the drone's sound
      * @param random the random numbers of the rays
-     * @param recorder receives every segment of every ray in the batches that are counted, each ray from its start
+     * @param recorder receives every segment of every ray in the batches that are counted, each ray from its start, and
+     *     the straight path if sound arrives along it
      */
     public EnergyReading trace(SoundSource drone, RandomGenerator random, RayRecorder recorder) {
         SoundSource source = drone.at(clearance.of(drone.position()));

@@ -135,6 +135,10 @@ class OpenDoorTest {
             sum += (reading.mirrored().get(Sites.LOWEST) + reading.reverberant().get(Sites.LOWEST)) / seeds.length;
         }
         assertThat(Levels.ofRatio(sum) - Sites.LW).isCloseTo(House.CLOSED.level, within(0.5));
+        EnergyModel few = EnergyModel.DEFAULT.withRays(1000);
+        assertThat(Sites.read(few, House.CLOSED.world, Sites.broadband(OUTSIDE), INSIDE, seeds[0])
+                        .isConverged())
+                .isFalse();
     }
 
     /**
