@@ -9,7 +9,7 @@ import java.util.Optional;
  *
  * @param id identifier of the building on the map
  * @param name name of the building, if the map states one
- * @param isPart whether this is a part of a building, with a height of its own
+ * @param isPart whether this is a part of a building, which may be lower or higher than the rest
  * @param outer the outline, counter-clockwise: x and y in the world frame of each corner in turn, m, at the level of
  *     the origin
  * @param courts courtyards, clockwise, in the same form as the outline

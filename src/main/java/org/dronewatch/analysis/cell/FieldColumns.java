@@ -52,7 +52,7 @@ public final class FieldColumns {
     }
 
     /**
-     * The columns of a grid with one cell each, at a height of its own.
+     * The columns of a grid with one cell each, whose height may differ from column to column.
      *
      * @param above height of each cell above the ground, m, row by row from the north-west; NaN for a column without a
      *     cell

@@ -38,7 +38,7 @@ import org.dronewatch.world.World;
  * @param courses courses of the drone
  * @param terms terms on which the drone counts as detected
  * @param search where the sensor points while it searches; empty if its search does not matter
- * @param assessor assessor of the sensor; each thread uses an equivalent one of its own ({@link #newAssessor})
+ * @param assessor assessor of the sensor; each thread has its own, equivalent assessor ({@link #newAssessor})
  * @param shortcuts what an assessment may leave out
  */
 public record FieldProbe(

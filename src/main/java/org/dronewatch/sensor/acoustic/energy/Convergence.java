@@ -138,7 +138,7 @@ final class Convergence {
                         || hasPassedWalls() && (isEnough(quantity) || tally.strongest(quantity) * ENOUGH <= heard));
     }
 
-    /** Whether rays have passed all walls of the straight path, as far as their number tells. */
+    /** Whether there are enough rays for some to have passed the walls of the straight path, if there are any. */
     private boolean hasPassedWalls() {
         return !isThroughWalls || tally.rays() >= SEVERAL_THOUSAND;
     }

@@ -123,7 +123,7 @@ public final class EnergyTracer {
         return reading(source, traced);
     }
 
-    /** Records the straight path like a ray of its own, if sound arrives along it. */
+    /** Records the straight path as a separate ray, if sound arrives along it. */
     private void recordStraight(Ends ends, RayRecorder recorder) {
         double arriving = 0.0;
         for (int band = 0; band < OctaveBands.COUNT; band++) {

@@ -42,15 +42,19 @@ final class WallTree {
     /** A tree of all walls of a world. */
     WallTree(WallPlanes planes) {
         this.walls = mortonOrder(planes);
-        // Each leaf has at least half of the most walls that it can have, unless it is the only one.
-        int most = 1 + 4 * walls.length / MAX_LEAF_SIZE;
-        this.starts = new int[most];
-        this.ends = new int[most];
-        this.rights = new int[most];
-        this.numbers = new double[STRIDE * most];
+        int count = nodesFor(walls.length);
+        this.starts = new int[count];
+        this.ends = new int[count];
+        this.rights = new int[count];
+        this.numbers = new double[STRIDE * count];
         if (walls.length > 0) {
             add(planes, 0, walls.length, 1);
         }
+    }
+
+    /** The number of nodes of a tree, or of a branch, as {@link #add} divides it. */
+    private static int nodesFor(int count) {
+        return count <= MAX_LEAF_SIZE ? 1 : 1 + nodesFor(count / 2) + nodesFor(count - count / 2);
     }
 
     /** The walls in the Morton order of their centres: walls that follow one another are near each other. */
