@@ -41,20 +41,19 @@ final class Air {
      *
      * @param energies in each band
      * @param distance m
-     * @return the sum of what is left
+     * @param absorbed in each band, what the air has taken from all energies so far; is added to
      */
-    double attenuate(double[] energies, double distance) {
-        double sum = 0.0;
+    void attenuate(double[] energies, double distance, double[] absorbed) {
         int metre = (int) (distance + 0.5);
         if (metre >= TABULATED) {
             for (int band = 0; band < BANDS; band++) {
-                energies[band] *= left(band, distance);
-                sum += energies[band];
+                double left = energies[band] * left(band, distance);
+                absorbed[band] += energies[band] - left;
+                energies[band] = left;
             }
-            return sum;
+            return;
         }
-        BandFactors.multiplyByExponentials(energies, exponents, metre - distance, table, BANDS * metre);
-        return BandFactors.sum(energies);
+        BandFactors.multiplyByExponentials(energies, exponents, metre - distance, table, BANDS * metre, absorbed);
     }
 
     /** Speed of sound, m/s. */

@@ -79,22 +79,23 @@ final class BatchTeams {
 
         void finish(int count) {
             if (packet.isPresent()) {
-                finish(batches.subList(0, count), packet.get());
+                // An array, since batches are looked up for each segment: a list took a tenth of a reading's time.
+                finish(batches.subList(0, count).toArray(RayBatch[]::new), packet.get());
             } else {
                 batches.get(0).finish();
             }
         }
 
-        private static void finish(List<RayBatch> together, RayPacket rays) {
-            int running = together.size();
-            for (int i = 0; i < together.size(); i++) {
-                together.get(i).put(rays, i);
+        private static void finish(RayBatch[] together, RayPacket rays) {
+            int running = together.length;
+            for (int i = 0; i < together.length; i++) {
+                together[i].put(rays, i);
             }
             while (running > 0) {
-                rays.trace(together.size());
+                rays.trace(together.length);
                 running = 0;
-                for (int i = 0; i < together.size(); i++) {
-                    RayBatch batch = together.get(i);
+                for (int i = 0; i < together.length; i++) {
+                    RayBatch batch = together[i];
                     if (!batch.isDone()) {
                         batch.take(rays, i);
                         batch.put(rays, i);

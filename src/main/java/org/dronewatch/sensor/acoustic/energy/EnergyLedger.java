@@ -1,18 +1,22 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import java.util.Arrays;
+import org.dronewatch.sensor.acoustic.propagation.BandFactors;
+import org.dronewatch.sound.OctaveBands;
+
 /** Records where the energy of rays goes. For use by one thread. */
 final class EnergyLedger {
+    private final double[] absorbed = new double[OctaveBands.COUNT];
+    private final double[] air = new double[OctaveBands.COUNT];
     private double gained;
-    private double absorbed;
-    private double air;
     private double escaped;
     private double lost;
     private double residual;
 
     void clear() {
         gained = 0.0;
-        absorbed = 0.0;
-        air = 0.0;
+        Arrays.fill(absorbed, 0.0);
+        Arrays.fill(air, 0.0);
         escaped = 0.0;
         lost = 0.0;
         residual = 0.0;
@@ -21,21 +25,23 @@ final class EnergyLedger {
     /** Adds the entries of another ledger. */
     void add(EnergyLedger others) {
         gained += others.gained;
-        absorbed += others.absorbed;
-        air += others.air;
+        for (int band = 0; band < OctaveBands.COUNT; band++) {
+            absorbed[band] += others.absorbed[band];
+            air[band] += others.air[band];
+        }
         escaped += others.escaped;
         lost += others.lost;
         residual += others.residual;
     }
 
-    /** Records energy that a surface absorbs. */
-    void absorb(double energy) {
-        absorbed += energy;
+    /** The energy that surfaces have absorbed, by band; to be added to. */
+    double[] absorbed() {
+        return absorbed;
     }
 
-    /** Records energy that the air absorbs. */
-    void leaveToAir(double energy) {
-        air += energy;
+    /** The energy that the air has absorbed, by band; to be added to. */
+    double[] air() {
+        return air;
     }
 
     /** Records energy that leaves the site. */
@@ -63,8 +69,8 @@ final class EnergyLedger {
         return new EnergyAudit(
                 1.0,
                 gained / emitted,
-                absorbed / emitted,
-                air / emitted,
+                BandFactors.sum(absorbed) / emitted,
+                BandFactors.sum(air) / emitted,
                 escaped / emitted,
                 lost / emitted,
                 residual / emitted);

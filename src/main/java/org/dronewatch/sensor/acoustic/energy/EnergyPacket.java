@@ -21,9 +21,6 @@ final class EnergyPacket {
     private final double[] energy = new double[BANDS];
     private final double[] scattered = new double[BANDS];
 
-    /** Energy in all bands. */
-    private double all;
-
     private double first;
 
     EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyLedger ledger) {
@@ -42,14 +39,12 @@ final class EnergyPacket {
         for (int band = 0; band < BANDS; band++) {
             energy[band] = ends.source().fraction(band);
         }
-        add();
-        first = all;
+        first = all();
         if (ends.isFromSource()) {
             for (int band = 0; band < BANDS; band++) {
                 energy[band] *= ends.startFactor(band, rise);
             }
-            add();
-            ledger.exchange(first, all);
+            ledger.exchange(first, all());
         }
     }
 
@@ -60,28 +55,22 @@ final class EnergyPacket {
 
     /** The energy in all bands. */
     double all() {
-        return all;
-    }
-
-    private void add() {
-        all = BandFactors.sum(energy);
+        return BandFactors.sum(energy);
     }
 
     /** Deducts what the air absorbs over a distance, m. */
     void fly(double distance) {
-        double before = all;
-        all = air.attenuate(energy, distance);
-        ledger.leaveToAir(before - all);
+        air.attenuate(energy, distance, ledger.air());
     }
 
     /** Records that the packet has left the site. */
     void escape() {
-        ledger.escape(all);
+        ledger.escape(all());
     }
 
     /** Records that the packet is truncated at the maximum order. */
     void giveUp() {
-        ledger.giveUp(all);
+        ledger.giveUp(all());
     }
 
     /**
@@ -91,21 +80,20 @@ final class EnergyPacket {
      * @return whether it is transmitted
      */
     boolean drawTransmission(int material, double cosine, RandomGenerator random) {
-        double before = all;
         if (!surfaces.transmits(material)) {
-            surfaces.reflect(material, cosine, energy);
-            add();
-            ledger.absorb(before - all);
+            surfaces.reflect(material, cosine, energy, ledger.absorbed());
             return false;
         }
         double reflected = 0.0;
         double transmitted = 0.0;
         for (int band = 0; band < BANDS; band++) {
-            reflected += energy[band] * surfaces.reflected(material, band, cosine);
-            transmitted += energy[band] * surfaces.transmitted(material, band);
+            double turned = energy[band] * surfaces.reflected(material, band, cosine);
+            double through = energy[band] * surfaces.transmitted(material, band);
+            ledger.absorbed()[band] += energy[band] - turned - through;
+            reflected += turned;
+            transmitted += through;
         }
         double onward = reflected + transmitted;
-        ledger.absorb(before - onward);
         double chance = onward > 0.0 ? transmitted / onward : 0.0;
         boolean isTransmitted = random.nextDouble() < chance;
         for (int band = 0; band < BANDS; band++) {
@@ -113,8 +101,7 @@ final class EnergyPacket {
                     ? surfaces.transmitted(material, band) / chance
                     : surfaces.reflected(material, band, cosine) / (1.0 - chance);
         }
-        add();
-        ledger.exchange(onward, all);
+        ledger.exchange(onward, all());
         return isTransmitted;
     }
 
@@ -136,7 +123,7 @@ final class EnergyPacket {
             // The branch has the same chance in all bands: none needs a weight.
             return random.nextDouble() < surfaces.scattered(material, 0);
         }
-        double before = all;
+        double before = all();
         double chance = before > 0.0 ? surfaces.chanceOfScattering(material, energy) : 0.0;
         boolean diffuse = random.nextDouble() < chance;
         double weight = diffuse ? 1.0 / chance : 1.0 / (1.0 - chance);
@@ -144,8 +131,7 @@ final class EnergyPacket {
             double fraction = surfaces.scattered(material, band);
             energy[band] *= (diffuse ? fraction : 1.0 - fraction) * weight;
         }
-        add();
-        ledger.exchange(before, all);
+        ledger.exchange(before, all());
         return diffuse;
     }
 
@@ -158,12 +144,11 @@ final class EnergyPacket {
         if (!surfaces.isAngular(material)) {
             return;
         }
-        double before = all;
+        double before = all();
         for (int band = 0; band < BANDS; band++) {
             energy[band] *= surfaces.scatteredTo(material, band, cosine);
         }
-        add();
-        ledger.exchange(before, all);
+        ledger.exchange(before, all());
     }
 
     /**
@@ -172,7 +157,7 @@ final class EnergyPacket {
      * @return whether the ray survives
      */
     boolean playRoulette(RandomGenerator random) {
-        double left = all;
+        double left = all();
         if (left >= model.roulette() * first) {
             return true;
         }
@@ -183,8 +168,7 @@ final class EnergyPacket {
         for (int band = 0; band < BANDS; band++) {
             energy[band] /= SURVIVAL;
         }
-        add();
-        ledger.exchange(left, all);
+        ledger.exchange(left, all());
         return true;
     }
 }

@@ -18,14 +18,15 @@ public final class BandFactors {
      * Multiplies the value in each band, in place, by a factor.
      *
      * @param row index in {@code factors} of the first band's factor
+     * @param lost in each band, by how much all values so far have decreased; is added to
      */
-    public static void multiply(double[] values, double[] factors, int row) {
+    public static void multiply(double[] values, double[] factors, int row, double[] lost) {
         if (VECTORS) {
-            VectorBands.multiply(values, factors, row);
+            VectorBands.multiply(values, factors, row, lost);
             return;
         }
         for (int band = 0; band < BANDS; band++) {
-            values[band] *= factors[row + band];
+            replace(values, band, values[band] * factors[row + band], lost);
         }
     }
 
@@ -36,18 +37,24 @@ public final class BandFactors {
      * @param exponents the exponent in each band
      * @param by factor by which the exponents are multiplied
      * @param row index in {@code factors} of the first band's factor
+     * @param lost in each band, by how much all values so far have decreased; is added to
      */
     public static void multiplyByExponentials(
-            double[] values, double[] exponents, double by, double[] factors, int row) {
+            double[] values, double[] exponents, double by, double[] factors, int row, double[] lost) {
         if (VECTORS) {
-            VectorBands.multiplyByExponentials(values, exponents, by, factors, row);
+            VectorBands.multiplyByExponentials(values, exponents, by, factors, row, lost);
             return;
         }
         for (int band = 0; band < BANDS; band++) {
             double x = exponents[band] * by;
             double series = 1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))));
-            values[band] *= factors[row + band] * series;
+            replace(values, band, values[band] * (factors[row + band] * series), lost);
         }
+    }
+
+    private static void replace(double[] values, int band, double after, double[] lost) {
+        lost[band] += values[band] - after;
+        values[band] = after;
     }
 
     /** The sum over all bands, added pairwise, so that additions overlap instead of each waiting for the one before. */

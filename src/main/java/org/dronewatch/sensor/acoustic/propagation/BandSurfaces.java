@@ -77,15 +77,18 @@ public final class BandSurfaces {
      *
      * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      * @param energies the energy in each band
+     * @param absorbed in each band, what surfaces have taken from all energies so far; is added to
      */
-    public void reflect(int material, double cosine, double[] energies) {
+    public void reflect(int material, double cosine, double[] energies, double[] absorbed) {
         if (isAngular(material)) {
             for (int band = 0; band < BANDS; band++) {
-                energies[band] *= reflected(material, band, cosine);
+                double left = energies[band] * reflected(material, band, cosine);
+                absorbed[band] += energies[band] - left;
+                energies[band] = left;
             }
             return;
         }
-        BandFactors.multiply(energies, reflected, BANDS * material);
+        BandFactors.multiply(energies, reflected, BANDS * material, absorbed);
     }
 
     /** Whether absorption depends on the angle. */

@@ -10,13 +10,15 @@ final class VectorBands {
 
     private VectorBands() {}
 
-    static void multiply(double[] values, double[] factors, int row) {
+    static void multiply(double[] values, double[] factors, int row, double[] lost) {
         for (int band = 0; band < BandFactors.BANDS; band += LANES) {
-            load(values, band).mul(load(factors, row + band)).intoArray(values, band);
+            DoubleVector before = load(values, band);
+            replace(values, before, before.mul(load(factors, row + band)), lost, band);
         }
     }
 
-    static void multiplyByExponentials(double[] values, double[] exponents, double by, double[] factors, int row) {
+    static void multiplyByExponentials(
+            double[] values, double[] exponents, double by, double[] factors, int row, double[] lost) {
         for (int band = 0; band < BandFactors.BANDS; band += LANES) {
             DoubleVector x = load(exponents, band).mul(by);
             DoubleVector series = x.mul(1.0 / 120.0).add(1.0 / 24.0);
@@ -24,8 +26,14 @@ final class VectorBands {
             series = x.mul(series).add(1.0 / 2.0);
             series = x.mul(series).add(1.0);
             series = x.mul(series).add(1.0);
-            load(values, band).mul(load(factors, row + band).mul(series)).intoArray(values, band);
+            DoubleVector before = load(values, band);
+            replace(values, before, before.mul(load(factors, row + band).mul(series)), lost, band);
         }
+    }
+
+    private static void replace(double[] values, DoubleVector before, DoubleVector after, double[] lost, int band) {
+        after.intoArray(values, band);
+        load(lost, band).add(before.sub(after)).intoArray(lost, band);
     }
 
     private static DoubleVector load(double[] values, int at) {
