@@ -35,6 +35,8 @@ class ConvexRoomPacket extends RayPacket {
 
     private final RayTracer one;
     private final double[] dividers;
+
+    /** The triangles of each wall, as numbered in the mesh. */
     private final int[] triangles;
 
     ConvexRoomPacket(LeafOrderTriangles inLeafOrder, ConvexRoom room, RayTracer one) {
@@ -42,7 +44,9 @@ class ConvexRoomPacket extends RayPacket {
         this.one = one;
         this.planes = room.planes();
         this.dividers = room.dividers();
-        this.triangles = room.triangles();
+        this.triangles = Arrays.stream(room.triangles())
+                .map(index -> inLeafOrder.numbers()[index])
+                .toArray();
         this.parameters = new double[RAYS * room.count()];
         for (int ray = 0; ray < RAYS; ray++) {
             set(ray, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0);
@@ -66,7 +70,7 @@ class ConvexRoomPacket extends RayPacket {
             if (inside[ray] < 0L) {
                 int wall = (int) (nearest[ray] & NUMBER);
                 double distance = -parameters[RAYS * wall + ray];
-                keep(ray, true, triangles[2 * wall + side(ray, wall, distance)], distance);
+                keepHit(ray, triangles[2 * wall + side(ray, wall, distance)], distance);
             } else {
                 traceAlone(ray);
             }

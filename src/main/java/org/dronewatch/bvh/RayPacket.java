@@ -45,10 +45,18 @@ public abstract class RayPacket {
      */
     public abstract void trace(int count);
 
+    /** Keeps what a ray hits, a triangle by its index in leaf order. */
     final void keep(int ray, boolean isHit, int index, double distance) {
         hits[ray] = isHit;
         distances[ray] = distance;
         hitTriangles[ray] = numbers[index];
+    }
+
+    /** Keeps that a ray hits a triangle, as numbered in the mesh. */
+    final void keepHit(int ray, int triangle, double distance) {
+        hits[ray] = true;
+        distances[ray] = distance;
+        hitTriangles[ray] = triangle;
     }
 
     final void keep(int ray, boolean isHit, RayTracer tracer) {

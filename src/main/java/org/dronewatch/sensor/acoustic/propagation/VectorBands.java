@@ -21,13 +21,12 @@ final class VectorBands {
             double[] values, double[] exponents, double by, double[] factors, int row, double[] lost) {
         for (int band = 0; band < BandFactors.BANDS; band += LANES) {
             DoubleVector x = load(exponents, band).mul(by);
-            DoubleVector series = x.mul(1.0 / 120.0).add(1.0 / 24.0);
-            series = x.mul(series).add(1.0 / 6.0);
-            series = x.mul(series).add(1.0 / 2.0);
-            series = x.mul(series).add(1.0);
-            series = x.mul(series).add(1.0);
+            DoubleVector square = x.mul(x);
+            DoubleVector cubic =
+                    x.mul(1.0 / 6.0).add(0.5).add(square.mul(x.mul(1.0 / 120.0).add(1.0 / 24.0)));
+            DoubleVector series = x.add(1.0).add(square.mul(cubic));
             DoubleVector before = load(values, band);
-            replace(values, before, before.mul(load(factors, row + band).mul(series)), lost, band);
+            replace(values, before, before.mul(load(factors, row + band)).mul(series), lost, band);
         }
     }
 
