@@ -23,8 +23,12 @@ public final class BandFactors {
     public static void multiply(double[] values, double[] factors, int row, double[] lost) {
         if (VECTORS) {
             VectorBands.multiply(values, factors, row, lost);
-            return;
+        } else {
+            multiplyOneByOne(values, factors, row, lost);
         }
+    }
+
+    static void multiplyOneByOne(double[] values, double[] factors, int row, double[] lost) {
         for (int band = 0; band < BANDS; band++) {
             replace(values, band, values[band] * factors[row + band], lost);
         }
@@ -44,8 +48,13 @@ public final class BandFactors {
             double[] values, double[] exponents, double by, double[] factors, int row, double[] lost) {
         if (VECTORS) {
             VectorBands.multiplyByExponentials(values, exponents, by, factors, row, lost);
-            return;
+        } else {
+            multiplyByExponentialsOneByOne(values, exponents, by, factors, row, lost);
         }
+    }
+
+    static void multiplyByExponentialsOneByOne(
+            double[] values, double[] exponents, double by, double[] factors, int row, double[] lost) {
         for (int band = 0; band < BANDS; band++) {
             double x = exponents[band] * by;
             double square = x * x;

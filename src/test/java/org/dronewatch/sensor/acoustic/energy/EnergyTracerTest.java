@@ -18,6 +18,7 @@ import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * How the rays of the energy model are traced: where they end, what they count, and that chance and threads change
@@ -39,6 +40,27 @@ class EnergyTracerTest {
         assertThat(audit.escaped()).isPositive();
         assertThat(audit.gained()).isPositive();
         assertThat(audit.lost()).isPositive();
+    }
+
+    /** Walls that absorb nothing: all energy that is lost is lost to the air, until the roulette ends the ray. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0, 0.3})
+    void whatRigidWallsReflectIsLostToTheAir(double scattering) {
+        World rigid = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("rigid", 0, scattering));
+        EnergyAudit audit = readInFull(rigid, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, 7, 9)
+                .audit();
+        assertThat(audit.absorbed()).isZero();
+        assertThat(audit.air()).isGreaterThan(0.9);
+    }
+
+    /** In the lowest band, the air of a small room takes hardly anything: the walls absorb it all. */
+    @Test
+    void whatIsNotLostToTheAirTheWallsAbsorb() {
+        World room = Sites.world(Sites.room(10, 8, 4), SurfaceMaterial.uniform("wall", 0.2, 0.3));
+        EnergyAudit audit = readInFull(room, SOURCE, new Position(7, 5, 1.7), 0.4, 1000, LOWEST, 9)
+                .audit();
+        assertThat(audit.air()).isBetween(1e-5, 1e-2);
+        assertThat(audit.absorbed()).isGreaterThan(0.98);
     }
 
     /** A plane that only mirrors leaves the rays nothing: that no ray has found anything is no accuracy. */
