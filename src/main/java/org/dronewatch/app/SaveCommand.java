@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import org.dronewatch.app.console.Notes;
 import org.dronewatch.app.option.SceneChoice;
 import org.dronewatch.app.option.SeedOption;
+import org.dronewatch.flight.Steered;
 import org.dronewatch.flight.mission.PlanWriter;
 import org.dronewatch.report.file.WholeFile;
 import org.dronewatch.scenario.SceneSettings;
@@ -89,7 +90,18 @@ final class SaveCommand implements Callable<Integer> {
         byte[] text = runner.text(settings, target.path()).getBytes(StandardCharsets.UTF_8);
         target.write(stream -> stream.write(text));
         Notes.of(spec).accept("scene in " + PlainText.value(out));
+        noteSteeredDrones(settings);
         return 0;
+    }
+
+    private void noteSteeredDrones(SceneSettings settings) {
+        settings.drones().forEach((name, drone) -> {
+            if (drone.flight() instanceof Steered) {
+                Notes.of(spec)
+                        .accept("drones." + name + ".flight: is steered, and a scene file has no pilot:"
+                                + " use another kind of flight before you run the file");
+            }
+        });
     }
 
     private int saveFlight() {

@@ -51,6 +51,18 @@ class SteeredScenesTest {
         assertThat(out).doesNotExist();
     }
 
+    /** The file is complete, but nothing in it could steer the drone. */
+    @Test
+    void saveNotesThatAFileHasNoPilot() throws IOException {
+        Path saved = directory.resolve("saved.yaml");
+        Outcome outcome = Program.run("save", scene().toString(), "--out", saved.toString());
+        assertThat(outcome.code()).as(outcome.err()).isZero();
+        assertThat(outcome.err())
+                .contains("drones.guard.flight: is steered, and a scene file has no pilot: use another kind of flight"
+                        + " before you run the file");
+        assertThat(saved).content().contains("steered");
+    }
+
     @Test
     void checkKnowsThePilotOfAJavaScene() {
         Outcome outcome = Program.run("check", FaultyScenes.WrongPilot.class.getName());
