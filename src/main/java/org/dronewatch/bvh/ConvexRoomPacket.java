@@ -36,7 +36,7 @@ class ConvexRoomPacket extends RayPacket {
     private final RayTracer one;
     private final double[] dividers;
 
-    /** The triangles of each wall, as numbered in the mesh. */
+    /** The two triangles of each wall, as numbered in the mesh. */
     private final int[] triangles;
 
     ConvexRoomPacket(LeafOrderTriangles inLeafOrder, ConvexRoom room, RayTracer one) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.dronewatch.bvh.RayPacket;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.sensor.Draws;
@@ -62,40 +63,39 @@ final class BatchTeams {
 
     /** A batch of those traced last. */
     RayBatch get(int number) {
-        return teams.get(number / each).batches.get(number % each);
+        return teams.get(number / each).batches[number % each];
     }
 
     /** The batches of one thread. */
     private static final class Team {
         private final Optional<RayPacket> packet;
-        private final List<RayBatch> batches = new ArrayList<>();
+
+        /** An array, since a batch is looked up for each segment of a ray. */
+        private final RayBatch[] batches;
 
         Team(Optional<RayPacket> packet, int most, Supplier<RayBatch> newBatch) {
             this.packet = packet;
-            for (int i = 0; i < most; i++) {
-                batches.add(newBatch.get());
-            }
+            this.batches = Stream.generate(newBatch).limit(most).toArray(RayBatch[]::new);
         }
 
         void finish(int count) {
             if (packet.isPresent()) {
-                // An array, since batches are looked up for each segment: a list took a tenth of a reading's time.
-                finish(batches.subList(0, count).toArray(RayBatch[]::new), packet.get());
+                finish(count, packet.get());
             } else {
-                batches.get(0).finish();
+                batches[0].finish();
             }
         }
 
-        private static void finish(RayBatch[] together, RayPacket rays) {
-            int running = together.length;
-            for (int i = 0; i < together.length; i++) {
-                together[i].put(rays, i);
+        private void finish(int count, RayPacket rays) {
+            for (int i = 0; i < count; i++) {
+                batches[i].put(rays, i);
             }
+            int running = count;
             while (running > 0) {
-                rays.trace(together.length);
+                rays.trace(count);
                 running = 0;
-                for (int i = 0; i < together.length; i++) {
-                    RayBatch batch = together[i];
+                for (int i = 0; i < count; i++) {
+                    RayBatch batch = batches[i];
                     if (!batch.isDone()) {
                         batch.take(rays, i);
                         batch.put(rays, i);

@@ -35,12 +35,12 @@ final class EnergyLedger {
     }
 
     /** The energy that surfaces have absorbed, by band; to be added to. */
-    double[] absorbed() {
+    double[] absorbedByBand() {
         return absorbed;
     }
 
     /** The energy that the air has absorbed, by band; to be added to. */
-    double[] air() {
+    double[] airByBand() {
         return air;
     }
 

@@ -53,14 +53,14 @@ final class EnergyPacket {
         return energy;
     }
 
-    /** The energy in all bands. */
+    /** The energy in all bands, added up anew. */
     double all() {
         return BandFactors.sum(energy);
     }
 
     /** Deducts what the air absorbs over a distance, m. */
     void fly(double distance) {
-        air.attenuate(energy, distance, ledger.air());
+        air.attenuate(energy, distance, ledger.airByBand());
     }
 
     /** Records that the packet has left the site. */
@@ -81,15 +81,16 @@ final class EnergyPacket {
      */
     boolean drawTransmission(int material, double cosine, RandomGenerator random) {
         if (!surfaces.transmits(material)) {
-            surfaces.reflect(material, cosine, energy, ledger.absorbed());
+            surfaces.reflect(material, cosine, energy, ledger.absorbedByBand());
             return false;
         }
+        double[] absorbed = ledger.absorbedByBand();
         double reflected = 0.0;
         double transmitted = 0.0;
         for (int band = 0; band < BANDS; band++) {
             double turned = energy[band] * surfaces.reflected(material, band, cosine);
             double through = energy[band] * surfaces.transmitted(material, band);
-            ledger.absorbed()[band] += energy[band] - turned - through;
+            absorbed[band] += energy[band] - turned - through;
             reflected += turned;
             transmitted += through;
         }

@@ -77,14 +77,12 @@ public final class BandSurfaces {
      *
      * @param cosine cosine of the angle of incidence, from the normal, 0 to 1
      * @param energies the energy in each band
-     * @param absorbed in each band, what surfaces have taken from all energies so far; is added to
+     * @param absorbed for each band, the sum of what surfaces have absorbed so far, to which this is added
      */
     public void reflect(int material, double cosine, double[] energies, double[] absorbed) {
         if (isAngular(material)) {
             for (int band = 0; band < BANDS; band++) {
-                double left = energies[band] * reflected(material, band, cosine);
-                absorbed[band] += energies[band] - left;
-                energies[band] = left;
+                BandFactors.replace(energies, band, energies[band] * reflected(material, band, cosine), absorbed);
             }
             return;
         }

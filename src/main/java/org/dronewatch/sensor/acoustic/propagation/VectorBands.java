@@ -10,15 +10,15 @@ final class VectorBands {
 
     private VectorBands() {}
 
-    static void multiply(double[] values, double[] factors, int row, double[] lost) {
+    static void multiply(double[] values, double[] factors, int row, double[] decreases) {
         for (int band = 0; band < BandFactors.BANDS; band += LANES) {
             DoubleVector before = load(values, band);
-            replace(values, before, before.mul(load(factors, row + band)), lost, band);
+            replace(values, before, before.mul(load(factors, row + band)), decreases, band);
         }
     }
 
     static void multiplyByExponentials(
-            double[] values, double[] exponents, double by, double[] factors, int row, double[] lost) {
+            double[] values, double[] exponents, double by, double[] factors, int row, double[] decreases) {
         for (int band = 0; band < BandFactors.BANDS; band += LANES) {
             DoubleVector x = load(exponents, band).mul(by);
             DoubleVector square = x.mul(x);
@@ -26,13 +26,14 @@ final class VectorBands {
                     x.mul(1.0 / 6.0).add(0.5).add(square.mul(x.mul(1.0 / 120.0).add(1.0 / 24.0)));
             DoubleVector series = x.add(1.0).add(square.mul(cubic));
             DoubleVector before = load(values, band);
-            replace(values, before, before.mul(load(factors, row + band)).mul(series), lost, band);
+            replace(values, before, before.mul(load(factors, row + band)).mul(series), decreases, band);
         }
     }
 
-    private static void replace(double[] values, DoubleVector before, DoubleVector after, double[] lost, int band) {
+    private static void replace(
+            double[] values, DoubleVector before, DoubleVector after, double[] decreases, int band) {
         after.intoArray(values, band);
-        load(lost, band).add(before.sub(after)).intoArray(lost, band);
+        load(decreases, band).add(before.sub(after)).intoArray(decreases, band);
     }
 
     private static DoubleVector load(double[] values, int at) {

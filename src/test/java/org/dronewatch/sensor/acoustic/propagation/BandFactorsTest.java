@@ -27,15 +27,15 @@ class BandFactorsTest {
             double[] exponents = numbers(BANDS, 0.0, 0.04);
             double by = random.nextDouble(-0.5, 0.5);
             double[] one = numbers(BANDS, 0.0, 1.0);
-            double[] oneLost = numbers(BANDS, 0.0, 100.0);
+            double[] oneDecreases = numbers(BANDS, 0.0, 100.0);
             double[] vector = one.clone();
-            double[] vectorLost = oneLost.clone();
-            BandFactors.multiplyOneByOne(one, factors, ROW, oneLost);
-            BandFactors.multiplyByExponentialsOneByOne(one, exponents, by, factors, 1, oneLost);
-            VectorBands.multiply(vector, factors, ROW, vectorLost);
-            VectorBands.multiplyByExponentials(vector, exponents, by, factors, 1, vectorLost);
+            double[] vectorDecreases = oneDecreases.clone();
+            BandFactors.multiplyOneByOne(one, factors, ROW, oneDecreases);
+            BandFactors.multiplyByExponentialsOneByOne(one, exponents, by, factors, 1, oneDecreases);
+            VectorBands.multiply(vector, factors, ROW, vectorDecreases);
+            VectorBands.multiplyByExponentials(vector, exponents, by, factors, 1, vectorDecreases);
             assertThat(vector).as("values, seed %d", seed).containsExactly(one);
-            assertThat(vectorLost).as("losses, seed %d", seed).containsExactly(oneLost);
+            assertThat(vectorDecreases).as("decreases, seed %d", seed).containsExactly(oneDecreases);
         }
     }
 
