@@ -1,6 +1,7 @@
 package org.dronewatch.setting;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.Iterator;
@@ -148,6 +149,21 @@ public final class KindRegistry {
                 .filter(kind -> kind.synonyms().contains(word.toLowerCase(Locale.ROOT)))
                 .map(Kind::name)
                 .findFirst();
+    }
+
+    /**
+     * The name that a mistyped one of a kind stands for: that of a kind with this {@linkplain Kind#synonyms synonym},
+     * or one that is spelt similarly.
+     *
+     * @param names the names that may be meant
+     */
+    public Optional<String> meant(Class<?> type, String typed, Collection<String> names) {
+        return byAnotherWord(type, typed).or(() -> Spelling.meant(typed, names));
+    }
+
+    /** The end of a message about an unknown kind of a type: where it may come from; empty if a type has no kinds. */
+    public String otherJar(Class<?> type) {
+        return knows(type) ? "; a kind from another jar needs that jar on the class path" : "";
     }
 
     /** The settings of the kinds of a type by name; none when it has no kinds. */

@@ -66,7 +66,7 @@ public final class SettingText {
             return record(SettingsForm.of(plain), text);
         }
         if (Choices.isChoice(plain)) {
-            return choice(Choices.of(plain), text);
+            return choice(plain, text);
         }
         throw several();
     }
@@ -130,11 +130,18 @@ public final class SettingText {
     }
 
     /** One of several kinds of settings by its name, with the values that it has by default. */
-    private static Object choice(Map<String, ? extends Class<?>> kinds, String text) {
-        Class<?> chosen = kinds.get(text.strip().toLowerCase(Locale.ROOT));
+    private static Object choice(Class<?> type, String text) {
+        Map<String, ? extends Class<?>> kinds = Choices.of(type);
+        String name = text.strip();
+        Class<?> chosen = kinds.get(name.toLowerCase(Locale.ROOT));
         if (chosen == null) {
-            throw new IllegalArgumentException("'" + text + "' is not one of " + kinds.keySet()
-                    + (text.strip().startsWith("{") ? "; settings in braces can only be written in the scene" : ""));
+            KindRegistry found = KindRegistry.found();
+            String hint = name.startsWith("{")
+                    ? "; settings in braces can only be written in the scene"
+                    : found.meant(type, name, kinds.keySet())
+                            .map(Spelling::question)
+                            .orElseGet(() -> found.otherJar(type));
+            throw new IllegalArgumentException("'" + text + "' is not one of " + kinds.keySet() + hint);
         }
         SettingsForm form = SettingsForm.of(chosen);
         if (!form.isCompleteByDefault()) {

@@ -107,7 +107,11 @@ class SettingsPathTest {
                                 + " pop-up, steered, recorded, mission, track]");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "obrit"))
-                .withMessageStartingWith("drones.quadrotor.flight=obrit: 'obrit' is not one of [hover, approach, ");
+                .withMessageStartingWith("drones.quadrotor.flight=obrit: 'obrit' is not one of [hover, approach, ")
+                .withMessageEndingWith("]; did you mean 'orbit'?");
+        assertThatExceptionOfType(InputException.class)
+                .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "zigzag"))
+                .withMessageEndingWith("]; a kind from another jar needs that jar on the class path");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "{kind: orbit}"))
                 .withMessageEndingWith("; settings in braces can only be written in the scene");

@@ -40,13 +40,8 @@ final class Problems {
     /** Adds that there is no kind with this name, and which one may be meant. */
     void unknownKind(Mark mark, String field, String name, Collection<String> known, Class<?> type) {
         KindRegistry kinds = KindRegistry.found();
-        String meant = kinds.byAnotherWord(type, name)
-                .or(() -> Spelling.meant(name, known))
-                .map(Spelling::question)
-                .orElse("");
-        String jar = meant.isEmpty() && kinds.knows(type)
-                ? "; a kind from another jar needs that jar on the class path"
-                : "";
+        String meant = kinds.meant(type, name, known).map(Spelling::question).orElse("");
+        String jar = meant.isEmpty() ? kinds.otherJar(type) : "";
         add(mark, field, unknown(KindChooser.KIND, name, known, meant) + jar);
     }
 
