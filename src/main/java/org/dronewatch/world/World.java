@@ -349,11 +349,11 @@ public final class World {
 
     /**
      * Whether a point appears to be inside a wall or below the ground: of the rays from it that hit a surface, most,
-     * and at least four, hit one that faces away from it. Valid for meshes whose triangles are wound counter-clockwise
-     * seen from outside, as is usual.
+     * and at least four, hit one that faces away from it. A point on a surface is in front of it, such as a microphone
+     * on a wall. Valid for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
      */
     public boolean isInsideWall(Position position) {
-        return new Surroundings(this).showTheirBacks(position);
+        return new Surroundings(this).showTheirBacks(new Clearance(this).of(position));
     }
 
     /** A ray tracer for use by one thread. */

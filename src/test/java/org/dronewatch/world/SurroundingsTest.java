@@ -52,4 +52,13 @@ class SurroundingsTest {
     void inAClosedBodyAllRaysMeetIt(double x, double y, double z, boolean isInside) {
         assertThat(CUBE.isInsideWall(new Position(x, y, z))).isEqualTo(isInside);
     }
+
+    /** Half of the rays from there go through the body, but what is mounted on a wall is outside. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 0", "-1, 0.2, 0.3", "0, 0, 1", "0.3, -1, -0.9", "1, 1, 0.2", "-1, -1, 1"})
+    void aPointOnAClosedBodyIsInFrontOfIt(double x, double y, double z) {
+        assertThat(CUBE.isInsideWall(new Position(x, y, z))).isFalse();
+        assertThat(CUBE.isInsideWall(new Position(0.999 * x, 0.999 * y, 0.999 * z)))
+                .isTrue();
+    }
 }
