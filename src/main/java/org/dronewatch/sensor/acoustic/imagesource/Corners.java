@@ -33,11 +33,12 @@ final class Corners {
      * @param before where the last leg began, m
      * @param x of the beginning, on a wall, m
      * @param dx along the leg to its end, m
-     * @param wall on which it begins; {@link WallPlanes#NONE} where it does not begin on one
-     * @param next on which it ends, or NONE
+     * @param here the walls on which it begins
+     * @param next on which it ends, or {@link WallPlanes#NONE}
      */
-    boolean isCut(double[] before, double x, double y, double z, double dx, double dy, double dz, int wall, int next) {
-        if (wall == WallPlanes.NONE) {
+    boolean isCut(
+            double[] before, double x, double y, double z, double dx, double dy, double dz, MetWalls here, int next) {
+        if (here.isEmpty()) {
             return false;
         }
         double step = BESIDE * planes.tolerance();
@@ -48,15 +49,15 @@ final class Corners {
         double startZ = z + back * (before[2] - z);
         boolean found = visibility.findFirstAlong(
                 startX, startY, startZ, x + on * dx - startX, y + on * dy - startY, z + on * dz - startZ, 1.0);
-        while (found && isOf(visibility.triangle(), wall, next)) {
+        while (found && isOf(visibility.triangle(), here, next)) {
             found = visibility.findNext();
         }
         return found;
     }
 
-    private boolean isOf(int triangle, int wall, int other) {
+    private boolean isOf(int triangle, MetWalls here, int next) {
         int met = planes.wallOf(triangle);
-        return met != WallPlanes.NONE && (met == wall || met == other);
+        return met != WallPlanes.NONE && (met == next || here.contains(met));
     }
 
     /** The part of a vector that is not longer than a step, nor than half of it. */

@@ -46,8 +46,9 @@ final class FreeLegs {
     }
 
     /** Whether another wall stands in the corner in which a leg begins: see {@link Corners#isCut}. */
-    boolean isCut(double[] before, double x, double y, double z, double dx, double dy, double dz, int wall, int next) {
-        boolean isCut = corners.isCut(before, x, y, z, dx, dy, dz, wall, next);
+    boolean isCut(
+            double[] before, double x, double y, double z, double dx, double dy, double dz, MetWalls here, int next) {
+        boolean isCut = corners.isCut(before, x, y, z, dx, dy, dz, here, next);
         if (isCut) {
             noteObstacle();
         }

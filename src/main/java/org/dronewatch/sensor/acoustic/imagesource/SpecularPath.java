@@ -33,6 +33,7 @@ public final class SpecularPath {
     /** Where the last leg began. */
     private final double[] before = new double[3];
 
+    private final MetWalls metHere = new MetWalls();
     private final double[] metFirst = new double[3];
     private final double[] first = new double[3];
     private final double[] last = new double[3];
@@ -117,7 +118,7 @@ public final class SpecularPath {
         int wall = WallPlanes.NONE;
         int corner = image;
         set(before, fromX, fromY, fromZ);
-        boolean isInEdge = false;
+        metHere.clear();
         if (image == ImageSources.ORIGINAL) {
             begin(fromX, fromY, fromZ);
         }
@@ -146,12 +147,10 @@ public final class SpecularPath {
             double legX = fraction * dx;
             double legY = fraction * dy;
             double legZ = fraction * dz;
-            boolean isLeaving = !isThere && !isThrough && !isInEdge;
-            if (isLeaving && free.isCut(before, x, y, z, legX, legY, legZ, wall, next)
+            if (!isThere && !isThrough && free.isCut(before, x, y, z, legX, legY, legZ, metHere, next)
                     || isThrough && !isThere && !passes(x, y, z, legX, legY, legZ, wall, next)) {
                 return false;
             }
-            isInEdge = isThere;
             int triangle = isThere
                     ? corners.besideEdge(wall, next, x, y, z, before[0], before[1], before[2])
                     : isThrough
@@ -175,7 +174,9 @@ public final class SpecularPath {
             }
             if (!isThere) {
                 set(before, x, y, z);
+                metHere.clear();
             }
+            metHere.add(next);
             x += legX;
             y += legY;
             z += legZ;
@@ -184,7 +185,7 @@ public final class SpecularPath {
             }
             wall = next;
         }
-        return isFreeToTheEnd(x, y, z, images, wall, isInEdge);
+        return isFreeToTheEnd(x, y, z, images, wall);
     }
 
     private void begin(double x, double y, double z) {
@@ -216,7 +217,7 @@ public final class SpecularPath {
         vector[2] = z;
     }
 
-    private boolean isFreeToTheEnd(double x, double y, double z, double[] images, int wall, boolean isInEdge) {
+    private boolean isFreeToTheEnd(double x, double y, double z, double[] images, int wall) {
         double dx = images[0] - x;
         double dy = images[1] - y;
         double dz = images[2] - z;
@@ -224,7 +225,7 @@ public final class SpecularPath {
         set(last, dx / leg, dy / leg, dz / leg);
         if (!isThrough) {
             return free.isFreeToTheEnd(x, y, z, dx, dy, dz, wall)
-                    && (isInEdge || !free.isCut(before, x, y, z, dx, dy, dz, wall, WallPlanes.NONE))
+                    && !free.isCut(before, x, y, z, dx, dy, dz, metHere, WallPlanes.NONE)
                     && isFreeAsArc(x, y, z, dx, dy, dz);
         }
         if (!passes(x, y, z, dx, dy, dz, wall, WallPlanes.NONE)) {

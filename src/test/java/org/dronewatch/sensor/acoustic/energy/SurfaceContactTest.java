@@ -148,6 +148,45 @@ class SurfaceContactTest {
                 .isGreaterThan(90.0);
     }
 
+    /**
+     * A house without openings on the ground, and a drone where one or more of its walls mirror the microphone: then
+     * paths are reflected exactly in edges and corners of the house, which other walls close.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "5, 4, 1.5",
+        "7, 4, 2",
+        "9, 4, 1.5",
+        "9.99, 4, 1.5",
+        "7, 5, 2",
+        "8, 6, 3",
+        "9.5, 7.5, 3.5",
+        "9.9, 7.9, 0.1"
+    })
+    void aSealedHouseDoesNotLeakToWhereItsWallsMirror(double x, double y, double z) {
+        World house = Sites.world(
+                List.of(Sites.square(100, 0), Sites.box(0, 0, 0, 10, 8, 4)),
+                List.of(RIGID, SurfaceMaterial.uniform("wall", 0.1, 0.3)));
+        Position inside = new Position(x, y, z);
+        for (int mirrors = 1; mirrors < 8; mirrors++) {
+            Position outside = new Position(
+                    (mirrors & 1) == 0 ? x : 20 - x, (mirrors & 2) == 0 ? y : 16 - y, (mirrors & 4) == 0 ? z : 8 - z);
+            assertThat(exactLevel(house, inside, outside)).as("to %s", outside).isEqualTo(Double.NEGATIVE_INFINITY);
+            assertThat(exactLevel(house, outside, inside))
+                    .as("from %s", outside)
+                    .isEqualTo(Double.NEGATIVE_INFINITY);
+        }
+        assertThat(exactLevel(house, inside, new Position(5, 4, 2)))
+                .as("inside")
+                .isGreaterThan(80.0);
+    }
+
+    private static double exactLevel(World world, Position drone, Position microphone) {
+        return new EnergyTracer(EnergyModel.DEFAULT, microphone, 0.5, world)
+                .onExactPaths(Sites.broadband(drone))
+                .totalLevel();
+    }
+
     private static double broadbandLevel(World world, Position drone, Position microphone) {
         return new EnergyTracer(EnergyModel.DEFAULT, microphone, 0.5, world)
                 .trace(Sites.broadband(drone), new SplittableRandom(1), RayRecorder.NONE)
