@@ -5,7 +5,7 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.Quantity;
 
 /**
- * A square grid of points at one height above the ground, at each of which a drone is placed.
+ * A square grid of points, each at the same height above the highest surface below it, where drones are placed.
  *
  * @param east east coordinate of the centre, -100,000 to 100,000 m
  * @param north north coordinate of the centre, -100,000 to 100,000 m

@@ -42,8 +42,8 @@ final class SaveCommand implements Callable<Integer> {
     @Option(
             names = "--run",
             paramLabel = "N",
-            description = "Index of the run in a sweep, counted from 0, to save with its own seed; the whole sweep by"
-                    + " default.")
+            description = "Index of the run in a sweep, counted from 0, to save with its own seed; by default the whole"
+                    + " sweep or, with --flight, run 0.")
     private Integer run;
 
     @Mixin

@@ -45,14 +45,14 @@ public abstract class RayPacket {
      */
     public abstract void trace(int count);
 
-    /** Keeps whether a ray hits a triangle, which is given by its index in leaf order. */
+    /** Records whether a ray hits a triangle, which is given by its index in leaf order. */
     final void keep(int ray, boolean isHit, int indexInLeafOrder, double distance) {
         hits[ray] = isHit;
         distances[ray] = distance;
         hitTriangles[ray] = numbers[indexInLeafOrder];
     }
 
-    /** Keeps that a ray hits a triangle, which is given by its number in the mesh. */
+    /** Records that a ray hits a triangle, which is given by its number in the mesh. */
     final void keepHit(int ray, int triangle, double distance) {
         hits[ray] = true;
         distances[ray] = distance;

@@ -152,8 +152,8 @@ public final class KindRegistry {
     }
 
     /**
-     * The name that a mistyped one of a kind stands for: that of a kind with this {@linkplain Kind#synonyms synonym},
-     * or one that is spelt similarly.
+     * The kind that was probably meant by a mistyped name: one with this {@linkplain Kind#synonyms synonym}, or one
+     * whose name is spelt similarly.
      *
      * @param names the names that may be meant
      */

@@ -137,7 +137,7 @@ public final class SettingText {
         if (chosen == null) {
             KindRegistry found = KindRegistry.found();
             String hint = name.startsWith("{")
-                    ? "; settings in braces can only be written in the scene"
+                    ? "; settings in braces can only be written in the scene file"
                     : found.meant(type, name, kinds.keySet())
                             .map(Spelling::question)
                             .orElseGet(() -> found.otherJar(type));
@@ -146,7 +146,7 @@ public final class SettingText {
         SettingsForm form = SettingsForm.of(chosen);
         if (!form.isCompleteByDefault()) {
             throw new IllegalArgumentException("'" + text.strip() + "' needs " + String.join(", ", form.required())
-                    + ", which can only be written in the scene; the kinds are " + kinds.keySet());
+                    + ", which can only be written in the scene file; the kinds are " + kinds.keySet());
         }
         return form.create(Map.of());
     }

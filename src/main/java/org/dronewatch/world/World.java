@@ -349,8 +349,8 @@ public final class World {
 
     /**
      * Whether a point appears to be inside a wall or below the ground: of the rays from it that hit a surface, most,
-     * and at least four, hit one that faces away from it. A point on a surface is in front of it, such as a microphone
-     * on a wall. Valid for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
+     * and at least four, hit one that faces away from it. A point on a surface, such as a microphone on a wall, counts
+     * as in front of it. Valid for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
      */
     public boolean isInsideWall(Position position) {
         return new Surroundings(this).showTheirBacks(new Clearance(this).of(position));

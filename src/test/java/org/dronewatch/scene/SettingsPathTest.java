@@ -100,7 +100,7 @@ class SettingsPathTest {
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "orbit"))
                 .withMessage(
-                        "drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which can only be written in the scene;"
+                        "drones.quadrotor.flight=orbit: 'orbit' needs centre, radius, which can only be written in the scene file;"
                                 + " the kinds"
                                 + " are [hover, approach, inbound, waypoints, route, glide, orbit, terrain-following,"
                                 + " low-approach, dive,"
@@ -114,7 +114,7 @@ class SettingsPathTest {
                 .withMessageEndingWith("]; a kind from another jar needs that jar on the class path");
         assertThatExceptionOfType(InputException.class)
                 .isThrownBy(() -> new SettingsPath("drones.quadrotor.flight").write(scene, "{kind: orbit}"))
-                .withMessageEndingWith("; settings in braces can only be written in the scene");
+                .withMessageEndingWith("; settings in braces can only be written in the scene file");
     }
 
     @ParameterizedTest

@@ -71,7 +71,7 @@ public final class InboundTarget {
      */
     public static Position sensors(SceneSettings settings) {
         if (settings.enabledSensors().isEmpty()) {
-            throw new InputException("the scene has no sensors");
+            throw new InputException("the scene has no sensor that is switched on");
         }
         return mean(settings.enabledSensors().values().stream()
                 .map(sensor -> sensor.position())

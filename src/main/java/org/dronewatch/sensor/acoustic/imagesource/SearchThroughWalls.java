@@ -175,7 +175,7 @@ final class SearchThroughWalls {
         }
     }
 
-    /** The first of the faces found that the ray does not leave a solid by; negative if there is none. */
+    /** The first of the faces found through which the ray does not leave a solid; negative if there is none. */
     private int begun(EnteredSolids solids) {
         for (int i = 0; i < faces.count(); i++) {
             if (faces.begins(i, solids)) {
