@@ -4,10 +4,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AlertLog;
+import org.dronewatch.positioner.Direction;
 import org.dronewatch.positioner.Pointing;
 import org.dronewatch.positioner.Positioner;
+import org.dronewatch.sensor.Draws;
 import org.dronewatch.sensor.Measurement;
 import org.dronewatch.tracking.ContactLook;
 
@@ -48,9 +51,33 @@ final class ContactDispatch {
      * @return the alerts that they raise
      */
     List<Alert> pass(List<ContactLook> looks) {
-        positioners.forEach((sensor, positioner) -> looks.forEach(
-                look -> look.measurements().forEach(measured -> pass(sensor, positioner, look.contact(), measured))));
+        if (!positioners.isEmpty()) {
+            List<Integer> contacts = shuffled(looks);
+            positioners.forEach((sensor, positioner) -> contacts.forEach(contact -> looks.stream()
+                    .filter(look -> look.contact() == contact)
+                    .flatMap(look -> look.measurements().stream())
+                    .forEach(measured -> pass(sensor, positioner, contact, measured))));
+        }
         return alerts.add(looks);
+    }
+
+    /**
+     * The contacts in an order that depends only on the directions in which they were measured, as at random: a
+     * positioner follows the first of several new ones, and they arrive with drones before false alarms, in the order
+     * of the scene's sensors.
+     */
+    private static List<Integer> shuffled(List<ContactLook> looks) {
+        Map<Integer, Long> places = new TreeMap<>();
+        looks.forEach(look -> look.measurements().forEach(measured -> measured.sighting()
+                .ifPresent(sighting -> places.merge(look.contact(), place(sighting.direction()), Math::min))));
+        return places.entrySet().stream()
+                .sorted(Map.Entry.comparingByValue())
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    private static long place(Direction direction) {
+        return Draws.mix(Double.doubleToLongBits(direction.azimuth()), Double.doubleToLongBits(direction.elevation()));
     }
 
     private static void pass(String sensor, Positioner positioner, int contact, Measurement measured) {

@@ -5,7 +5,8 @@ import org.dronewatch.sensor.Measurement;
 
 /**
  * One look of a sensor at a contact, with its measurements, if any. Positioners and alert rules receive these; the
- * truth cannot be reached from them, and nothing distinguishes a look at a false contact from a look at a drone.
+ * truth cannot be reached from them, and a look at a false contact has what a look at a drone has. Contacts in one look
+ * are not in random order: what chooses among them must not depend on their order or their numbers.
  *
  * @param contact number of the contact
  * @param sensor name of the sensor

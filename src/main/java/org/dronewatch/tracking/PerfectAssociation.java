@@ -19,8 +19,9 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * contact. It takes the place of a tracker, which this library does not have, and performs at least as well as any
  * tracker. False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, form one contact,
  * too, which ends after as many looks without a further one as confirmation allows; without a cell, each is a separate
- * contact. Contacts are numbered from 1 in the order in which they appear; the numbers carry no information about
- * drones. For use in one run.
+ * contact. Contacts are numbered from 1 in the order in which sensors first look at them, whether or not they detect
+ * anything: those of drones mostly come before false ones, so nothing may depend on the numbers, nor on the order of
+ * the looks. For use in one run.
  *
  * <p>False contacts of different sensors are matched by time and bearing, as by a tracker ({@link #matcher}); a drone's
  * contact, which all sensors share, matches no other.
