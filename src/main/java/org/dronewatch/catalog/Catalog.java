@@ -184,8 +184,8 @@ public final class Catalog implements Kinds.NamedSettings {
     /**
      * The sensors of a system, as if a scene file contained it.
      *
-     * @param id the name of the system in the scene; its part {@code radar} is then {@code ID-radar}
-     * @param name name of the system, one whose parts {@link #partsOf} knows
+     * @param id the name of the system in the scene; its part {@code radar} is then named {@code ID-radar}
+     * @param name name of the system, as accepted by {@link #partsOf}
      * @param position position of all sensors of the system, m
      * @throws InputException when one of its entries is invalid
      */

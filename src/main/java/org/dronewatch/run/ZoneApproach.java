@@ -7,8 +7,8 @@ import org.dronewatch.geometry.Position;
 
 /**
  * When a flight reaches a protected zone, and how close it comes. The flight is approximated by straight segments of
- * equal duration, so that no drone is too fast to be noticed. Where the path states a top speed, segments that begin
- * too far away to reach the zone are skipped, which does not change the result.
+ * equal duration, so that a crossing of the zone is found however fast the drone is. Where the path states a top speed,
+ * segments that begin too far away to reach the zone are skipped, which does not change the result.
  */
 public final class ZoneApproach {
     private static final int SEGMENTS = 10_000;

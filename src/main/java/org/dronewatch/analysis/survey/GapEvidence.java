@@ -20,14 +20,14 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 
 /**
- * Why one sensor does not cover the cells of a gap, on the course that counts in each.
+ * Why one sensor does not cover the cells of a gap: in each, on the course that determines whether it is covered.
  *
  * @param sensor name of the sensor
  * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} for cells in
  *     which a look detects the drone, but the probability is too low
  * @param examined a few cells for each cause, spread evenly over the cells with that cause, and, where the signal is
- *     too weak, those with the greatest and the least of the margins that the field keeps as values; all of these cells
- *     are assessed again, which shows what hides the drone, and by how much its signal is too weak
+ *     too weak, those with the largest and the smallest margin, if the field stores margins; all of these cells are
+ *     assessed again, which shows what hides the drone, and by how much its signal is too weak
  */
 public record GapEvidence(String sensor, Map<Cause, Integer> causes, List<Examined> examined) {
     /** Maximum number of cells of a gap, spread evenly, that are assessed again for each cause. */

@@ -12,8 +12,8 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.input.FileHash;
 
 /**
- * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, as a rule into a
- * fan if that covers the polygon; triangles without area are dropped and counted; lines, curves, normals, texture
+ * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, into a fan if
+ * that covers exactly the polygon; triangles without area are dropped and counted; lines, curves, normals, texture
  * coordinates and everything else in the format are skipped and counted. An invalid statement causes an {@link
  * InputException} that names the file and the line.
  */

@@ -84,14 +84,14 @@ public final class DronePicture {
         return camera;
     }
 
-    /** Draws drones, instead of those drawn before. */
+    /** Draws drones, which replace those drawn before. */
     public void draw(World world, List<Drone> drones) {
         setWorld(world);
         dynamicView.draw(staticView, drones);
     }
 
     /**
-     * Draws a drone alone, instead of those drawn before, until enough of its pixels have been found.
+     * Draws a drone alone, which replaces those drawn before, until enough of its pixels have been found.
      *
      * @param enough whether a number of pixels is sufficient; if it is, every larger number must be as well
      */

@@ -155,8 +155,7 @@ public final class BandSurfaces {
     }
 
     /**
-     * The fraction of the reflected energy of all bands together that is scattered, given the reflected energy in each
-     * band.
+     * The scattered fraction of the total energy reflected in all bands, given the reflected energy in each band.
      */
     public double chanceOfScattering(int material, double[] energies) {
         double all = 0.0;

@@ -6,8 +6,9 @@ import org.dronewatch.world.GroundLevel;
 import org.dronewatch.world.World;
 
 /**
- * The wind of a world, and the curvature of sound paths due to its air. Heights are measured from the ground of the
- * site: the profile of the wind does not follow a roof or the crown of a tree. For use by one thread.
+ * The wind of a world, and the curvature of sound paths that gradients of wind and temperature cause. Heights are
+ * measured from the ground of the site: the profile of the wind does not follow a roof or the crown of a tree. For use
+ * by one thread.
  */
 public final class PathBending {
     private final Atmosphere air;
