@@ -1,10 +1,10 @@
 package org.dronewatch.run;
 
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.dronewatch.fusion.Alert;
 import org.dronewatch.fusion.AlertLog;
 import org.dronewatch.positioner.Direction;
@@ -52,27 +52,25 @@ final class ContactDispatch {
      */
     List<Alert> pass(List<ContactLook> looks) {
         if (!positioners.isEmpty()) {
-            List<Integer> contacts = shuffled(looks);
-            positioners.forEach((sensor, positioner) -> contacts.forEach(contact -> looks.stream()
-                    .filter(look -> look.contact() == contact)
-                    .flatMap(look -> look.measurements().stream())
-                    .forEach(measured -> pass(sensor, positioner, contact, measured))));
+            List<ContactLook> shuffled = shuffled(looks);
+            positioners.forEach((sensor, positioner) -> shuffled.forEach(look ->
+                    look.measurements().forEach(measured -> pass(sensor, positioner, look.contact(), measured))));
         }
         return alerts.add(looks);
     }
 
     /**
-     * The contacts in an order that depends only on the directions in which they were measured, as at random: a
-     * positioner follows the first of several new ones, and they arrive with drones before false alarms, in the order
-     * of the scene's sensors.
+     * The looks in an order of their contacts that depends only on the directions in which these were measured, as at
+     * random: a positioner follows the first of several new ones, and they arrive with drones before false alarms, in
+     * the order of the scene's sensors.
      */
-    private static List<Integer> shuffled(List<ContactLook> looks) {
-        Map<Integer, Long> places = new TreeMap<>();
+    private static List<ContactLook> shuffled(List<ContactLook> looks) {
+        Map<Integer, Long> places = new HashMap<>();
         looks.forEach(look -> look.measurements().forEach(measured -> measured.sighting()
                 .ifPresent(sighting -> places.merge(look.contact(), place(sighting.direction()), Math::min))));
-        return places.entrySet().stream()
-                .sorted(Map.Entry.comparingByValue())
-                .map(Map.Entry::getKey)
+        return looks.stream()
+                .filter(look -> places.containsKey(look.contact()))
+                .sorted(Comparator.comparing(look -> places.get(look.contact())))
                 .toList();
     }
 
