@@ -28,8 +28,9 @@ import picocli.CommandLine.Parameters;
         name = "list",
         mixinStandardHelpOptions = true,
         description =
-                "Lists the packaged scenes and the sensors of the catalogue, one per line; or the kinds of sensor,"
-                        + " flight and model that a scene can use; or one entry of the catalogue with its source and its assumptions.",
+                "Lists the packaged scenes and the catalogue's sensors, systems and positioners, one per line; or the"
+                        + " kinds of sensor, flight and model that a scene can use; or one entry of the catalogue with its"
+                        + " source and its assumptions.",
         footer = {"", "Examples:", "  dronewatch list spotterrf-c550", "  dronewatch list --json"})
 final class ListCommand implements Callable<Integer> {
     private static final String KIND_LINE = "%-19s %-19s %s; %s%n";

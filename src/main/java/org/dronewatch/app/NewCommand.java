@@ -58,7 +58,7 @@ final class NewCommand implements Callable<Integer> {
     @Option(
             names = "--radius",
             paramLabel = "LENGTH",
-            description = "Distance from the centre to which the site extends, 200 m to 20 km; 2 km by default.")
+            description = "How far the site extends from its centre, 200 m to 20 km; 2 km by default.")
     private String radius = "2 km";
 
     @Option(

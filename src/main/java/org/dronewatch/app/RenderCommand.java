@@ -155,7 +155,9 @@ final class RenderCommand implements Callable<Integer> {
                         ? "takes no pictures ("
                                 + settings.sensors().get(subject.camera).kind() + ")"
                         : "no such camera")
-                + "; the scene has " + (cameras.isEmpty() ? "no camera" : String.join(", ", cameras)));
+                + (cameras.isEmpty()
+                        ? "; the scene has no camera"
+                        : "; cameras in the scene: " + String.join(", ", cameras)));
     }
 
     private double seconds(SceneSettings settings) {

@@ -69,8 +69,9 @@ final class RouteCommand implements Callable<Integer> {
     @Option(
             names = "--proof",
             paramLabel = "N",
-            description = "Flies each route N times with different seeds, and compares the proportion of flights with a"
-                    + " detection with the probability computed from all looks of the sensors; 1 to 1,000,000.")
+            description = "Flies each route N times with different seeds, and compares the proportion of flights in"
+                    + " which the drone is detected with the probability computed from all looks of the sensors;"
+                    + " 1 to 1,000,000.")
     private Integer proof;
 
     @Mixin

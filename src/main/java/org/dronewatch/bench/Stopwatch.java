@@ -7,8 +7,8 @@ import org.dronewatch.parallel.Workers;
 
 /**
  * Measures how long work takes: the median of several runs, after others that warmed up. Short work is repeated many
- * times in a run. Pieces of work that are to be compared run in turn, so that a slow spell of the machine strikes all
- * of them, and so that the compiler of the virtual machine has seen all of them before any is measured.
+ * times in a run. Pieces of work that are to be compared run in turn, so that a spell in which the machine is slow
+ * affects all of them, and so that the compiler of the virtual machine has seen all of them before any is measured.
  */
 final class Stopwatch {
     private static final double NANO = 1e-9;
@@ -67,7 +67,7 @@ final class Stopwatch {
         return Arrays.stream(times).mapToDouble(Stopwatch::median).toArray();
     }
 
-    /** Repeats work until it is warm, and gives how long it took last, ns. */
+    /** Repeats work until it is warm, and returns the duration of the last repetition, ns. */
     private long warmUp(Runnable work) {
         long begun = clock.getAsLong();
         long once;

@@ -36,7 +36,7 @@ public final class BuildingLoader {
     /** Parts of a building near the rim may lie this far beyond it, m. */
     private static final double MARGIN = 2000.0;
 
-    /** Raising more takes seconds. */
+    /** Making solids of more buildings than this takes seconds. */
     private static final int MANY = 50_000;
 
     private static final int MOST_TRIANGLES = 50_000_000;
@@ -167,7 +167,7 @@ public final class BuildingLoader {
                 : Optional.empty();
     }
 
-    /** Half of the side of the smallest square about the origin that has a box in it, m. */
+    /** Half of the side of the smallest square about the origin that contains a box, m. */
     private static double reach(AABB box) {
         return Math.max(Math.max(-box.minX(), box.maxX()), Math.max(-box.minY(), box.maxY()));
     }

@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** What buildings are made of, by the tags of OpenStreetMap, as names in the table of acoustic surfaces. */
+/** What buildings are made of, according to the tags of OpenStreetMap, as names in the table of acoustic surfaces. */
 final class BuildingMaterials {
     /** Follows the name of the material of a building whose height is assumed. */
     static final String ASSUMED = ":assumed-height";
@@ -49,7 +49,7 @@ final class BuildingMaterials {
 
     private BuildingMaterials() {}
 
-    /** The name of a material: that of its acoustic surface, and that its height is assumed if it is. */
+    /** The name of a material: that of its acoustic surface, followed by {@link #ASSUMED} if the height is assumed. */
     static String name(Map<String, String> tags, String otherwise, boolean isAssumed) {
         String text = tags.getOrDefault("building:material", tags.getOrDefault("building:facade:material", ""));
         String surface = SURFACES.getOrDefault(text.strip().toLowerCase(Locale.ROOT), otherwise);

@@ -17,7 +17,7 @@ import org.dronewatch.setting.Quantity;
 final class BuildingReport {
     private static final int EXAMPLES = 3;
 
-    /** Further above or below the ground than most foundations, m. */
+    /** Farther above or below the ground than most foundations, m. */
     private static final double FLOATING = 3.0;
 
     /** Roofs that are lower than the ground by less than this count as level with it, m. */
@@ -64,8 +64,8 @@ final class BuildingReport {
     /**
      * Records the ground under a building or part that was built.
      *
-     * @param top of its roof above the lowest ground, m
-     * @param climb of the ground under it, from the lowest to the highest, m
+     * @param top height of its roof above the lowest ground, m
+     * @param climb rise of the ground under it, from the lowest to the highest, m
      */
     void compare(String id, double top, double climb) {
         if (climb - top > ROUNDED) {

@@ -166,7 +166,7 @@ final class BuildingSite {
         }
     }
 
-    /** Builds one, unless its parts are built instead. */
+    /** Builds a building, unless its parts are built instead. */
     void build(Building building, BuildingParts parts, SolidMesh solids) {
         if (!building.isPart() && parts.replace(building)) {
             return;

@@ -13,8 +13,8 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
- * Woods as bodies of one height over the ground, whose tops follow it: each triangle of a wood is cut along those of
- * the terrain. Nothing passes through them, as through dense foliage.
+ * Woods as solids of uniform height over the ground, whose tops follow the ground: each triangle of a wood is cut along
+ * those of the terrain. Nothing passes through them, as through dense foliage.
  */
 final class Canopies {
     /** The acoustic surface of the edge of a wood, by its name in the table of surfaces. */
@@ -31,7 +31,7 @@ final class Canopies {
     /**
      * No woods yet.
      *
-     * @param terrain on which they stand; if empty, on z = 0
+     * @param terrain the terrain on which they stand; if empty, they stand on z = 0
      * @param height over the ground, m
      */
     Canopies(Optional<TerrainGround> terrain, double height) {
@@ -192,7 +192,7 @@ final class Canopies {
         }
     }
 
-    /** Upright, outward for a ring whose inside is on the left. */
+    /** Adds an upright wall, which faces outward if the inside of the ring is on the left. */
     private void wall(double ax, double ay, double a, double bx, double by, double b) {
         int first = vertices.size() / 3;
         vertex(ax, ay, a - BuildingLoader.BELOW);

@@ -11,7 +11,7 @@ import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.terrain.TerrainGround;
 
-/** Makes triangles in the world frame of the solids of a city model, whose heights are those above the sea. */
+/** Converts the solids of a city model, whose heights are above sea level, to triangles in the world frame. */
 final class CityBuildings {
     private final BuildingSettings settings;
     private final CityModel model;

@@ -13,11 +13,11 @@ import org.maplibre.earcut4j.Earcut;
  *
  * @param corners three numbers of vertices for each triangle
  * @param floor how many of the triangles were added as a floor
- * @param isClosed whether each side of a triangle is one of another, the other way around
+ * @param isClosed whether each side of a triangle is also a side of another one, in the opposite direction
  * @param isWhole whether the triangles cover all surfaces
  */
 record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
-    /** Triangles must cover a surface but for this fraction of its area. */
+    /** Triangles must cover a surface except for this fraction of its area. */
     private static final double PRECISION = 1e-3;
 
     /** How far the rim of a missing floor may be from level, m. */
@@ -118,7 +118,7 @@ record CitySolid(int[] corners, int floor, boolean isClosed, boolean isWhole) {
         return (long) from << 32 | to;
     }
 
-    /** The sides that no other triangle has the other way around, and how often. */
+    /** The sides that no other triangle has in the opposite direction, and how often each occurs. */
     static Map<Long, Integer> open(int[] corners) {
         Map<Long, Integer> sides = new LinkedHashMap<>();
         for (int i = 0; i < corners.length; i += 3) {

@@ -17,8 +17,8 @@ import org.dronewatch.buildings.io.MapLength;
  * @param top height of its highest point, m
  * @param basis what its height is taken from
  * @param roof the shape of its roof
- * @param rise of the roof from its eaves to its highest point, m; 0 for a flat one
- * @param direction in which the roof slopes down, rad clockwise from north, if the map states it
+ * @param rise rise of the roof from its eaves to its highest point, m; 0 for a flat one
+ * @param direction direction in which the roof slopes down, rad clockwise from north, if the map states it
  * @param isAcross whether the ridge runs along the shorter side
  * @param isOpen whether there are no walls under the roof
  * @param doubts about what the map states, in words
@@ -43,7 +43,7 @@ record Dimensions(
         ASSUMED
     }
 
-    /** Nothing built is higher. */
+    /** Nothing that has been built is higher, m. */
     private static final double HIGHEST = 1000.0;
 
     private static final double MOST_LEVELS = 200.0;
@@ -58,7 +58,7 @@ record Dimensions(
 
     private static final double MAST = 100.0;
 
-    /** Rounded figures of a map, m. */
+    /** Tolerance for rounded figures on a map, m. */
     private static final double ROUNDED = 0.05;
 
     private static final List<String> WINDS =
@@ -134,7 +134,7 @@ record Dimensions(
     /**
      * The dimensions that tags state.
      *
-     * @param tags of a building or a part
+     * @param tags tags of a building or a part
      * @param settings for what they do not state
      * @param outer the outline, m; the rise of a roof whose angle is stated depends on it
      */

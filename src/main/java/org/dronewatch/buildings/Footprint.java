@@ -12,7 +12,7 @@ import org.maplibre.earcut4j.Earcut;
  * @param courts courtyards, clockwise
  */
 record Footprint(double[] outer, List<double[]> courts) {
-    /** Triangles must cover the outline but for this fraction of its area. */
+    /** Triangles must cover the outline except for this fraction of its area. */
     private static final double PRECISION = 1e-6;
 
     /** An outline and its courtyards, in any direction. */
@@ -22,7 +22,7 @@ record Footprint(double[] outer, List<double[]> courts) {
                 courts.stream().map(court -> Rings.wound(court, false)).toList());
     }
 
-    /** Without courtyards, m2. */
+    /** The area without courtyards, m2. */
     double area() {
         double area = Rings.signedArea(outer);
         for (double[] court : courts) {
@@ -35,7 +35,7 @@ record Footprint(double[] outer, List<double[]> courts) {
         return Rings.contains(outer, x, y) && courts.stream().noneMatch(court -> Rings.contains(court, x, y));
     }
 
-    /** Outline and courtyards. */
+    /** The outline and the courtyards. */
     List<double[]> rings() {
         List<double[]> rings = new ArrayList<>();
         rings.add(outer);
@@ -47,7 +47,7 @@ record Footprint(double[] outer, List<double[]> courts) {
      * Triangles between the corners.
      *
      * @param corners three numbers for each, counter-clockwise, of the corners of {@link #rings} in turn
-     * @param area that they cover together, m2
+     * @param area area that the triangles cover together, m2
      * @param isWhole whether they cover the outline; not if it crosses itself
      */
     record Cut(int[] corners, double area, boolean isWhole) {}

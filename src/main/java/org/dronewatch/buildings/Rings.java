@@ -35,7 +35,7 @@ final class Rings {
         return reversed;
     }
 
-    /** Without corners that lie nearer to the one before than this, m. */
+    /** The ring without corners that lie nearer to the one before than a given distance, m. */
     static double[] cleaned(double[] ring, double near) {
         double[] kept = new double[ring.length];
         int count = 0;
@@ -110,7 +110,7 @@ final class Rings {
         return true;
     }
 
-    /** What of a ring lies where {@code a x + b y <= c}; empty if nothing does. */
+    /** The part of a ring that lies where {@code a x + b y <= c}; empty if there is none. */
     static double[] clipped(double[] ring, double a, double b, double c) {
         double[] kept = new double[2 * ring.length + 4];
         int count = 0;

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
  * A roof whose height at each point is that of the lowest of some planes there: gables, hips, pyramids, domes and
  * single slopes are of this kind. Heights are measured from the eaves.
  *
- * @param planes with no two the same
+ * @param planes the planes, no two of which are the same
  */
 record RoofPlanes(List<Slope> planes) {
     /** How many flat rings approximate the curve of a dome. */
@@ -45,7 +45,7 @@ record RoofPlanes(List<Slope> planes) {
      * numbers cost precision.
      *
      * @param outer the outline, counter-clockwise
-     * @param dimensions with a roof that is not flat
+     * @param dimensions dimensions of a building whose roof is not flat
      */
     static RoofPlanes of(double[] outer, Dimensions dimensions) {
         Rectangle rectangle = rectangle(outer, dimensions.direction(), dimensions.isAcross());

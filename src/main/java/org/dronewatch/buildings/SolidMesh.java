@@ -48,7 +48,7 @@ final class SolidMesh {
                 });
     }
 
-    /** A triangle of corners, none for one without an area. */
+    /** Adds the triangle of three corners, unless it has no area. */
     private void triangle(int a, int b, int c) {
         if (a != b && b != c && c != a) {
             corners.add(a);

@@ -18,7 +18,7 @@ final class Upright {
     /**
      * The vertical at a place.
      *
-     * @param geodesy of the world frame
+     * @param geodesy geodesy of the world frame
      * @param place longitude and latitude, degrees, and the height from which heights count, m
      */
     Upright(Geodesy geodesy, GeoPoint place) {

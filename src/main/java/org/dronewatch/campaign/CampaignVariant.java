@@ -16,8 +16,8 @@ import org.dronewatch.setting.InputException;
  * @param scene name of its scene
  * @param described that scene, without the variant's own settings
  * @param settings those that all cases share
- * @param runner of the scene
- * @param models of the scene, loaded; for all threads
+ * @param runner runner of the scene
+ * @param models loaded models of the scene; for all threads
  */
 record CampaignVariant(
         String name, String scene, Scene described, SceneSettings settings, SceneRunner runner, ModelCache models) {

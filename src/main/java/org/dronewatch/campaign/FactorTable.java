@@ -60,7 +60,7 @@ final class FactorTable {
     /**
      * Reads a file: in UTF-8, separated by commas, up to 64 MB, 100 columns and a million rows.
      *
-     * @param directory of the campaign file
+     * @param directory directory of the campaign file
      * @param given its name, relative to that directory
      * @throws InputException with a one-line message when it is elsewhere, cannot be read, or is not such a table
      */

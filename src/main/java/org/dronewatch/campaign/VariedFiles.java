@@ -24,7 +24,7 @@ final class VariedFiles {
      * Reads the files of a variant with a value, if the value may name one. One that cannot be read is not an error
      * yet: the values of other settings may be needed as well, and a case that does need it fails.
      *
-     * @param settings of the variant, with the value
+     * @param settings settings of the variant, with the value
      */
     void read(CampaignVariant variant, SceneSettings settings, String value) {
         if (!NAME.matcher(value).find()) {

@@ -11,7 +11,7 @@ final class VariedPaths {
     /**
      * Checks that no path lies within another, and that none is the seed of the runs.
      *
-     * @param paths that all vary from case to case
+     * @param paths paths of the settings that vary from case to case
      * @throws IllegalArgumentException when a path may not vary; its message begins with the path
      */
     static void check(Collection<String> paths) {

@@ -60,7 +60,7 @@ public final class BuiltInKinds implements KindGroup {
                 detection(
                         "target-task",
                         TargetTask.class,
-                        "detects a drone by Johnson's criteria, with contrast, light and blur"));
+                        "detects a drone by Johnson's criteria, given contrast, light and blur"));
     }
 
     private static List<Kind<?>> flights() {

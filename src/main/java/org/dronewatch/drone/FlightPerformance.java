@@ -17,8 +17,8 @@ import org.dronewatch.setting.SettingsForm;
  * @param sink maximum rate of descent under power, 0.01 to 200 m/s; typically 1.5 m/s for multirotors, 5 m/s for
  *     fixed-wing drones and hybrids
  * @param turnRate maximum rate of turn, above 0 and at most 20 pi rad/s (3600 degrees per second); typically that at
- *     cruise speed with a bank angle of 45 degrees (multirotors) or 50 degrees (others), {@code g tan(bank) / speed}
- *     with the acceleration of gravity g
+ *     cruise speed with a bank angle of 45 degrees (multirotors) or 50 degrees (others), {@code g tan(bank) / speed},
+ *     where g is the acceleration of gravity
  * @param hover whether it can stay in one place; typically all but fixed-wing drones can
  * @param leastSpeed minimum speed under power of a drone that cannot hover, above 0 and at most 400 m/s; typically two
  *     thirds of the cruise speed. It is used only in the search for routes, and there replaced by the cruise speed if

@@ -70,8 +70,8 @@ public sealed interface AlertRule
         }
 
         /**
-         * A rule with a gate of 10 degrees, which is assumed: about the difference between the bearings to a drone at
-         * 300 m from two sensors 50 m apart.
+         * A rule with an assumed gate of 10 degrees: about the difference between the bearings to a drone at 300 m from
+         * two sensors 50 m apart.
          */
         public SeveralSensors(int count, double within) {
             this(count, within, USUAL_GATE);
@@ -109,8 +109,8 @@ public sealed interface AlertRule
 
     /**
      * An alert as soon as the probability that at least one of the sensors detects the drone in its most recent look is
-     * high enough: {@code 1 - (1-p1)(1-p2)...} with the detection probabilities p1, p2, ... of these looks. This is a
-     * forecast for scoring ({@link ForecastLog}), not a rule that a system could follow: looks that detect nothing
+     * high enough: {@code 1 - (1-p1)(1-p2)...}, where p1, p2, ... are the detection probabilities of these looks. This
+     * is a forecast for scoring ({@link ForecastLog}), not a rule that a system could follow: looks that detect nothing
      * count with their probabilities, which only the simulation knows. It assumes that the sensors' misses are
      * independent; if one hill or one bank of fog hides the drone from all of them, it is too optimistic. The
      * probability of a sensor with a fixed threshold is 0 or 1, and that of a false alarm is 1.

@@ -43,7 +43,7 @@ public record Confirmation(
     /**
      * The probability that a look confirms a contact that was not confirmed at the look before: this look is a hit,
      * exactly {@code hits - 1} of the {@code looks - 1} looks before it were hits, and the look before those was a
-     * miss. It is {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)} with the binomial coefficient C.
+     * miss. It is {@code C(looks-1, hits-1) p^hits (1-p)^(looks-hits+1)}, where C is the binomial coefficient.
      *
      * @param ofOneLook the probability p that a look detects the contact, independently of the others, 0 to 1
      */

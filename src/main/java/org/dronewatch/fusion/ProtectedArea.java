@@ -11,9 +11,9 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.GroundPoint;
 
 /**
- * An area that must not be reached, between two heights above the ground: a polygon, or a circle. Its floor is measured
- * from the lowest ground below the area and its top from the highest, so that, on a slope, the area covers the full
- * range of heights everywhere.
+ * An area that drones must not reach, between two heights above the ground: a polygon, or a circle. Its floor is
+ * measured from the lowest ground below the area and its top from the highest, so that, on a slope, the area covers the
+ * full range of heights everywhere.
  *
  * @param area the 3 to 1000 corners of a polygon, in either winding order; omit it for a circle
  * @param centre the centre of a circle

@@ -57,7 +57,7 @@ final class CsvRow {
         return text.equals("true");
     }
 
-    /** What is wrong with a value, with its place in the file. */
+    /** What is wrong with a value, with its location in the file. */
     InputException fault(String column, String problem) {
         return new InputException(message(column, problem));
     }

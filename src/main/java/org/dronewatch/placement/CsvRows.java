@@ -30,7 +30,7 @@ final class CsvRows {
      * A file.
      *
      * @param known the columns that it may have
-     * @param required how many of the first of these must be there
+     * @param required number of these columns, counted from the first, that the file must have
      */
     private CsvRows(Path file, List<String> known, int required) {
         this.name = PlainText.value(file);

@@ -53,7 +53,7 @@ final class LayoutValue {
         return isDescending ? one > other : one < other;
     }
 
-    /** By group. */
+    /** The sum for each group. */
     double[] sums() {
         double[] sums = new double[problem.table().groups()];
         for (int row = 0; row < counts.length; row++) {

@@ -55,7 +55,7 @@ public record SolverLimits(double gap, SearchEnd end) {
         }
         return end.isTimeOver()
                 ? new InputException("time limit " + Quantity.DURATION.inWords(end.seconds())
-                        + ": by then no layout within the budget was found that meets the conditions;"
+                        + ": by then, no layout within the budget had been found that meets the conditions;"
                         + " whether there is one is not known")
                 : impossible.get();
     }

@@ -76,7 +76,8 @@ final class SitePictures {
                         ? String.format(Locale.ROOT, "at the first detection, %.1f s after the start", time)
                         : "at the start";
         List<Figure> figures = new ArrayList<>();
-        figures.add(figure(overview(), state, "The site " + when + ". Fields of view are drawn shortened."));
+        figures.add(
+                figure(overview(), state, "The site " + when + ". Fields of view are not drawn to their full length."));
         figures.add(figure(Orbit.top(picture.frame(), aspect()), state, "The same from above, north up."));
         AABB near = near();
         if (near.diagonal() < CLOSE * picture.frame().diagonal()) {

@@ -24,7 +24,7 @@ final class CellCorners {
         this.cells = cells;
     }
 
-    /** Takes the cells around a point, coordinates in m. */
+    /** Selects the cells around a point; coordinates in m. */
     void around(double x, double y, double z) {
         double column = cells.column(x);
         double row = cells.row(y);
@@ -54,7 +54,7 @@ final class CellCorners {
         return bottom + (corner >> 2);
     }
 
-    /** Sets what each cell contributes at a point between them, coordinates in m. */
+    /** Determines what each cell contributes at a point between them; coordinates in m. */
     void weigh(double x, double y, double z) {
         double column = cells.column(x);
         double row = cells.row(y);

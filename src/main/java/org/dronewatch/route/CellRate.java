@@ -9,10 +9,10 @@ import org.dronewatch.analysis.cell.ProbabilityStep;
  * on which the same fraction passes, that with the nearest heading is taken. For use by one thread.
  */
 final class CellRate {
-    /** A fraction below this counts like this one if more passes on the next course; as a power of ten. */
+    /** If more than this fraction passes on the next course, lower fractions count as this one; as a power of ten. */
     private static final double NOTHING = -1.5;
 
-    /** Otherwise, one below half of what passes on the next course counts like that half; as a power of ten. */
+    /** Otherwise, fractions below half of what passes on the next course count as that half; as a power of ten. */
     private static final double LESS = -Math.log10(2.0);
 
     /** By step of a probability, 1/s. */
@@ -24,7 +24,7 @@ final class CellRate {
     /** By course, the fraction that passes at the centre of the cell. */
     private final double[] passes;
 
-    /** By course, the greater, the nearer its heading is to that of the drone. */
+    /** By course, how near its heading is to that of the drone: the greater, the nearer. */
     private final double[] along;
 
     /** The rate where nothing passes, 1/s; NaN if it is not yet known. */
@@ -36,10 +36,10 @@ final class CellRate {
     /**
      * A rate that depends on the fraction that passes.
      *
-     * @param rates by step of a probability, 1/s
-     * @param steps by course
-     * @param passes by course, 0 to 1
-     * @param along by course, the greater, the nearer its heading is
+     * @param rates the rate for each step of a probability, 1/s
+     * @param steps the step of the probability on each course
+     * @param passes the fraction that passes on each course, 0 to 1
+     * @param along how near the heading of each course is to that of the drone: the greater, the nearer
      */
     CellRate(double[] rates, int[] steps, double[] passes, double[] along) {
         this.rates = rates;
@@ -111,7 +111,7 @@ final class CellRate {
         return rates[ProbabilityStep.of(low + fraction(below, above, passing) * (high - low))];
     }
 
-    /** The place of the flight between two courses, 0 to 1, by the level of the signal that passes. */
+    /** The position of the flight between two courses, 0 to 1, by the level of the signal that passes. */
     private double fraction(int below, int above, double passing) {
         double to = Math.log10(passes[above]);
         double least = to > NOTHING ? NOTHING : to + LESS;

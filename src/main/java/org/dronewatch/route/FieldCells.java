@@ -84,7 +84,7 @@ final class FieldCells {
         return snapped(low + (above - heights[low]) / gap, heights.length);
     }
 
-    /** The number of the last of several centres that is not beyond a point, and has another one after it. */
+    /** The number of the last of several centres that is not beyond a point and is followed by another one. */
     static int lower(double at, int count) {
         return Math.max(0, Math.min(count - 2, (int) at));
     }
@@ -132,7 +132,7 @@ final class FieldCells {
     /**
      * Where a straight leg leaves the cuboid between the centres of eight cells in which it is.
      *
-     * @param after the fraction of the leg after which it does
+     * @param after fraction of the leg after which it leaves
      * @return a greater fraction, 1 at the end of the leg
      */
     double leaves(Position from, Position to, double after) {
@@ -145,7 +145,7 @@ final class FieldCells {
         return heights.length == 1 ? next : climbs(from, to, after, next);
     }
 
-    /** Where a coordinate, in cells from the centre of the first, next comes to the centre of one. */
+    /** Where a coordinate, in cells from the centre of the first cell, next reaches the centre of a cell. */
     private static double crossing(double begin, double change, double inside) {
         if (change == 0.0) {
             return Double.POSITIVE_INFINITY;
@@ -156,8 +156,8 @@ final class FieldCells {
     }
 
     /**
-     * Where a part of a leg first comes to one of the heights, at its end if to none. Since the ground is bilinear
-     * between four centres, the height above it is a quadratic function along the leg.
+     * Where a part of a leg first reaches one of the heights; the end of the part if it reaches none. Since the ground
+     * is bilinear between four centres, the height above it is a quadratic function along the leg.
      */
     private double climbs(Position from, Position to, double begin, double end) {
         double first = above(from, to, begin);

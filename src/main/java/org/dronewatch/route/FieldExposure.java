@@ -33,7 +33,7 @@ public final class FieldExposure implements ExposureField {
     private final FieldCells cells;
     private final RouteMode mode;
 
-    /** In the order of their names: the order of the scene does not change a bit of a sum. */
+    /** In the order of their names, so that the order of the scene does not change a single bit of a sum. */
     private final List<SensorRates> sensors;
 
     private FieldExposure(DetectionField field, FieldCells cells, RouteMode mode, List<SensorRates> sensors) {
@@ -127,7 +127,8 @@ public final class FieldExposure implements ExposureField {
     /**
      * The mean rate on a part of a leg that lies between the centres of the same cells.
      *
-     * @param finest the greatest fraction of the leg that is a piece where the rate depends on the position in the cell
+     * @param finest the greatest length of a piece, as a fraction of the leg, where the rate depends on the position in
+     *     the cell
      */
     private double mean(CellCorners corners, LegPart part, LegMotion motion, double finest) {
         corners.around(part.x(0.5), part.y(0.5), part.z(0.5));

@@ -92,8 +92,8 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
 
     /**
      * The probability of a detection up to a time, inclusive, if looks came so often that the moment at which the route
-     * begins did not matter, as the search assumes: {@code 1 - exp(-E)} with the mean exposure E of the flights, 0 to
-     * 1.
+     * begins did not matter, as the search assumes: {@code 1 - exp(-E)}, where E is the mean exposure of the flights, 0
+     * to 1.
      *
      * @param until the last moment at which a detection counts, s since the start; it may be infinite
      */

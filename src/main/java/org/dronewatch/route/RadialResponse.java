@@ -7,9 +7,9 @@ import org.dronewatch.route.exposure.LegMotion;
 import org.dronewatch.sensor.CrossingBlind;
 
 /**
- * The fraction of a drone's signal that passes in a sensor which rejects low radial speeds: in flight, and on the
- * courses of a detection field, of which the compass headings have the first numbers, and those across the sensor's
- * line of sight the next. Immutable and thread-safe.
+ * The fraction of a drone's signal that passes in a sensor that rejects low radial speeds: in flight, and on the
+ * courses of a detection field. The courses are numbered, first those on compass headings, then those across the
+ * sensor's line of sight. Immutable and thread-safe.
  */
 final class RadialResponse {
     /** A drone in flight counts as this much faster, so that rounding does not make it visible where a leg ends. */
@@ -27,8 +27,8 @@ final class RadialResponse {
     /**
      * The response of a sensor.
      *
-     * @param position of the sensor, m
-     * @param motions on the compass headings
+     * @param position position of the sensor, m
+     * @param motions the motions on the compass headings
      * @param across the courses across the sensor's line of sight
      */
     RadialResponse(CrossingBlind blind, Position position, LegMotion[] motions, List<Course> across) {

@@ -23,14 +23,14 @@ import org.dronewatch.world.World;
 /**
  * Where a drone may fly at a site, and where its routes begin and end: whatever does not depend on the sensors.
  *
- * @param nodes that it may pass
- * @param modes in which it may fly
- * @param turnRadius smallest radius of its turns at cruise speed, 0 for none, m
+ * @param nodes nodes that the drone may pass
+ * @param modes modes in which the drone may fly
+ * @param turnRadius smallest radius of the drone's turns at cruise speed, 0 for none, m
  * @param endurance longest flight under power, s
  * @param starts nodes at which routes may begin
- * @param goals nodes at which they may end
+ * @param goals nodes at which routes may end
  * @param reached the nodes of all cubes in which a route may end
- * @param passage between which points it can fly straight
+ * @param passage decides between which points the drone can fly straight
  * @param arrival where a route arrives between nodes
  * @param response time from a detection until the drone is stopped, s
  * @param middle centre of the protected zone, or mean position of the sensors, m
@@ -49,15 +49,18 @@ record RouteSite(
         double response,
         Position middle,
         World world) {
-    /** What a flight of the whole endurance counts for, so that of equally exposed routes the fastest is found. */
+    /**
+     * The time of a flight of the whole endurance counts as this exposure, so that of equally exposed routes the
+     * fastest is found.
+     */
     private static final double PRICE_OF_ENDURANCE = 1e-3;
 
-    /** Directions in plan view, and as many headings where turns need room. */
+    /** The number of directions in plan view and, where turns need room, of headings. */
     private static final int FINE = 48;
 
     private static final int COARSE = 16;
 
-    /** States of a search that take some 600 MB. */
+    /** The greatest number of states of a search; they take some 600 MB. */
     private static final long MOST_STATES = 50_000_000;
 
     private static final String NO_CELL =
@@ -74,7 +77,7 @@ record RouteSite(
      * @param modes at least one, with fields over the same grid, whose sensors do not matter
      * @param launch the area from which routes come; the edge if it is empty
      * @param middle centre of the protected zone, or mean position of the sensors, m
-     * @throws IllegalArgumentException if the drone cannot be where routes begin, or not where they end
+     * @throws IllegalArgumentException if the drone cannot be anywhere that routes begin, or anywhere that they end
      */
     static RouteSite of(
             List<ModeField> modes,
@@ -121,8 +124,8 @@ record RouteSite(
     /**
      * Searches for the weakest routes past some sensors.
      *
-     * @param exposure to them
-     * @param sensors their names, in the order of the scene
+     * @param exposure exposure to these sensors
+     * @param sensors names of these sensors, in the order of the scene
      */
     SiteRoutes past(SiteExposure exposure, List<String> sensors) {
         RouteProblem problem =
@@ -141,7 +144,10 @@ record RouteSite(
                 this::height);
     }
 
-    /** As many as find the narrow bands of headings in which radars are blind, unless that needs too much memory. */
+    /**
+     * Enough directions to find the narrow bands of headings in which radars are blind, unless they need too much
+     * memory.
+     */
     private PlanDirections directions() {
         long perHeading = (long) modes.size() * nodes.grid().size();
         return PlanDirections.of(turnRadius > 0.0 && FINE * perHeading > MOST_STATES ? COARSE : FINE);

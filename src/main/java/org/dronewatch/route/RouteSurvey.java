@@ -25,19 +25,19 @@ import org.dronewatch.route.search.WeakestRoute;
  */
 public record RouteSurvey(
         List<SectorRoute> routes, List<RouteMode> modes, Position target, double response, boolean isComplete) {
-    /** What is below this is printed as less than this, percent. */
+    /** A probability below this is printed as less than this, percent. */
     private static final double LEAST_PERCENT = 0.1;
 
-    /** What is below this is printed in tenths, percent. */
+    /** A probability below this is printed in tenths, percent. */
     private static final double FINE_PERCENT = 10.0;
 
-    /** What is below this is printed as less than this. */
+    /** An exposure below this is printed as less than this. */
     private static final double LEAST_EXPOSURE = 0.001;
 
-    /** What is below this is printed in thousandths, and in hundredths from there on. */
+    /** An exposure below this is printed in thousandths, and from there on in hundredths. */
     private static final double FINE_EXPOSURE = 1.0;
 
-    /** What is below this is printed in tenths, s. */
+    /** A time below this is printed in tenths, s. */
     private static final double FINE_SECONDS = 100.0;
 
     /** Copies the lists. */

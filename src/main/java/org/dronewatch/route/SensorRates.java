@@ -25,13 +25,13 @@ import org.dronewatch.sensor.SensorSettings;
  *
  * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds
  * states what fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
- * heading on which the same fraction passes at the centre of the cell, or between those on which less and more of it
- * does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
+ * heading on which the same fraction passes at the centre of the cell, or lies between those on which less and more of
+ * it does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
  */
 final class SensorRates {
     /**
      * The number of independent looks per mean distance between traced positions. Near the threshold, these are closer
-     * together. Compared with flights past microphones that look 2 and 10 times a second.
+     * together. The number was checked against flights past microphones that look 2 and 10 times a second.
      */
     private static final double INDEPENDENT = 3.0;
 
@@ -184,8 +184,8 @@ final class SensorRates {
     }
 
     /**
-     * The least rate in a cell on one compass heading, whatever the probabilities were before they were rounded; of a
-     * sensor that rejects low radial speeds, that on any course.
+     * The least rate in a cell on one compass heading, whatever the probabilities were before they were rounded; for a
+     * sensor that rejects low radial speeds, the least rate on any course.
      */
     double least(int level, int column, int row, int heading) {
         if (response.isEmpty()) {

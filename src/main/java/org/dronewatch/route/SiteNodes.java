@@ -54,7 +54,7 @@ final class SiteNodes {
         this.grid = new RouteGrid(cells.x(0), cells.y(side - 1), cells.cell(), side, side, heights, ground, blocked);
     }
 
-    /** All of them. */
+    /** The grid of all nodes. */
     RouteGrid grid() {
         return grid;
     }
@@ -106,7 +106,7 @@ final class SiteNodes {
 
     /**
      * How near a route has to come to the protected zone, or in plan view to the mean position of the sensors, m: into
-     * it, where a node is in it; otherwise to within one cell's length.
+     * the zone if it contains a node; otherwise, to within one cell's length.
      */
     double reach(Protection protection, Position middle) {
         boolean isEntered =

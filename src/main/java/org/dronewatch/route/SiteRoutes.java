@@ -54,7 +54,7 @@ public final class SiteRoutes {
     /**
      * Routes that were searched for.
      *
-     * @param sensors their names, in the order of the scene
+     * @param sensors names of the sensors, in the order of the scene
      * @param past the same search past the sensors and another field of exposure
      * @param throughout the same search, but all detections count, in time or not
      * @param height the height of a point above the ground, m

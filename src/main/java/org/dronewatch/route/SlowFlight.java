@@ -21,7 +21,7 @@ final class SlowFlight {
     /** The fraction of the greatest such speed that is flown, so that no look finds the drone to be too fast. */
     private static final double BELOW = 0.99;
 
-    /** Whoever is still slower hovers, m/s. */
+    /** A drone that is slower than this hovers, m/s. */
     private static final double SLOWEST = 0.1;
 
     /** The number of parts of the cruise speed that are tried; narrower bands may be missed. */

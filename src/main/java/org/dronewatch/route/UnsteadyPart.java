@@ -3,10 +3,10 @@ package org.dronewatch.route;
 import org.dronewatch.route.exposure.LegMotion;
 
 /**
- * What a sensor that rejects low radial speeds contributes to the exposure on a part of a leg that lies between the
- * centres of the same cells: of the cells whose rate depends on the position. The places at which the drone becomes
- * visible or is lost are found exactly, so that no leg gains by ending a little beyond them, and the mean of a leg is
- * that of its pieces. For a single use; not thread-safe.
+ * The contribution of a sensor that rejects low radial speeds to the exposure on a part of a leg that lies between the
+ * centres of the same cells: that from the cells whose rate depends on the position. The places at which the drone
+ * becomes visible or is lost are found exactly, so that no leg gains by ending a little beyond them, and the mean of a
+ * leg is that of its pieces. For a single use; not thread-safe.
  */
 final class UnsteadyPart {
     /** Shorter pieces than this fraction of the longest are not divided. */

@@ -27,7 +27,7 @@ final class RecordSchema {
     /**
      * The schema of a record.
      *
-     * @param kind by which files choose it among several
+     * @param kind name of the kind by which files choose the record among several
      * @throws IllegalArgumentException when no file can give what it requires
      */
     ObjectNode of(SettingsForm form, Optional<String> kind) {

@@ -24,7 +24,7 @@ import org.dronewatch.run.model.ModelCache;
  * @param listeners are notified of each run
  * @param pilots gives the pilot of each run
  * @param notes receives warnings about what pilots do
- * @param control of each run, which ends no later than its settings state
+ * @param control control of each run; a run ends no later than its settings state
  */
 record DrivenRuns(
         Scene scene,

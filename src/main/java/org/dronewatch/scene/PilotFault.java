@@ -12,8 +12,8 @@ import org.dronewatch.setting.PlainText;
 /**
  * An exception that a pilot throws: the user's mistake, not the program's.
  *
- * @param pilot its class, or that of what should have made it
- * @param problem what it throws
+ * @param pilot class of the pilot, or of whatever should have created it
+ * @param problem the exception
  */
 record PilotFault(Class<?> pilot, Throwable problem) {
 

@@ -15,7 +15,7 @@ import org.dronewatch.run.Stage;
  * an event on the thread that runs what follows.
  *
  * <p>It never stops listening by itself: at the end of the last replication, another thread may already be removing the
- * simulator's listeners, which is not safe to be done by two. The simulator holds it by a weak reference only.
+ * simulator's listeners, which two threads cannot safely do at once. The simulator holds it by a weak reference only.
  */
 final class RunThread implements EventListener {
     private static final long serialVersionUID = 1L;

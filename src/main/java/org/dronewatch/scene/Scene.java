@@ -262,7 +262,7 @@ public abstract class Scene extends AbstractDsolModel<Double, DevsSimulatorInter
     /**
      * The location of the setting that a message refers to.
      *
-     * @param path of the setting
+     * @param path path of the setting
      * @return file, line and column, as {@code site.yaml:3:12}; empty for a scene in Java
      */
     Optional<String> placeOf(String path) {

@@ -34,7 +34,9 @@ final class SceneModels {
         this.models = models;
     }
 
-    /** Warns about weather and light that change nothing that is detected, and of odd settings of sensors. */
+    /**
+     * Warns about weather and light that have no effect on what is detected, and about implausible settings of sensors.
+     */
     void adviseOnConditions() {
         ConditionAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);
         SensorAdvice.of(scene.settingsOfRuns(scene.settings())).forEach(models::warn);

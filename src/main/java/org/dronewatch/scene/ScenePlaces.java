@@ -41,7 +41,7 @@ final class ScenePlaces {
     /**
      * Places on a site that has not been loaded.
      *
-     * @param directory of relative file names
+     * @param directory directory against which relative file names are resolved
      * @param store where prepared sites are kept
      */
     ScenePlaces(Path directory, StorePlace store) {
@@ -75,7 +75,7 @@ final class ScenePlaces {
     /**
      * The models that were loaded for places, if any; only the first caller gets them.
      *
-     * @param receiver of the lines about them, and of all that follow
+     * @param receiver receives the lines about them, and all that follow
      */
     Optional<ModelCache> models(Consumer<String> receiver) {
         if (!loaded || handedOver) {
@@ -90,8 +90,8 @@ final class ScenePlaces {
      * The places of a file; empty when its world cannot be read.
      *
      * @param file whose names of files start from its directory
-     * @param kinds of settings
-     * @param overrides of the file's settings, of which those of the world count
+     * @param kinds kinds of settings
+     * @param overrides overrides of the file's settings; only those of the world count
      */
     Optional<Places> of(Path file, Kinds kinds, Map<String, String> overrides) {
         Node.Mapping document = SettingsFile.document(file);

@@ -8,7 +8,7 @@ import org.dronewatch.world.World;
 
 /**
  * A sensor that can compute the signal it receives from a drone, and explain why that is insufficient, before any
- * random decision. Its looks are drawn from the same signal: a field of assessments and a run agree exactly, unless a
+ * random decision. Its looks are based on the same signal, so a field of assessments and a run agree exactly, unless a
  * kind of sensor states otherwise. A drone is assessed alone: only looks take into account that other drones may hide
  * it. All the library's own kinds of sensor are assessable; an {@link Assessor} also assesses others.
  */

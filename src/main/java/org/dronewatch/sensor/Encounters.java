@@ -17,7 +17,7 @@ public final class Encounters {
      * @param visible when the drone could last be seen, seconds since the start of the run
      */
     private record Met(Encounter encounter, double visible) {
-        /** The later one; both together where they are of one look. */
+        /** The later of the two; both combined if they come from the same look. */
         Met latest(Met other) {
             return other.visible > visible ? other : new Met(encounter.or(other.encounter), visible);
         }

@@ -6,7 +6,7 @@ import java.util.Map;
 /**
  * The texts about a kind of sensor, for reports.
  *
- * @param measures the quantity that its observations measure, as the label of an axis: {@code sound level}
+ * @param measures the quantity that its observations measure, as the label of an axis, such as {@code sound level}
  * @param weakness the words for a drone whose signal is insufficient, such as {@code too quiet}
  * @param leavesOut effects that the model of this sensor leaves out, in sentences for a report
  * @param ignoredConditions conditions of the site that would matter to a real sensor of this kind, but that its model

@@ -173,7 +173,7 @@ public final class Limits {
             return value >= limits.from() && value > limits.above() && value <= limits.to() && value < limits.below();
         }
 
-        /** How to write it, if it is allowed in the unit in which it is displayed. */
+        /** How to write the value with the unit in which it is displayed, if it would then be within the limits. */
         private String remedy(double value) {
             Quantity quantity = limits.value();
             return quantity.bare(value)

@@ -19,7 +19,7 @@ final class WholeSetting {
     /**
      * Advice about a setting that is not set.
      *
-     * @param path of the setting
+     * @param path path of the setting
      * @param part the component of settings that holds it
      */
     static String unset(String path, RecordComponent part) {
@@ -55,8 +55,8 @@ final class WholeSetting {
     /**
      * Advice about the kind of settings, which cannot be set on its own.
      *
-     * @param path of the settings
-     * @param settings of some kind
+     * @param path path of the settings
+     * @param settings class of the settings
      * @return empty if they are not one of several kinds
      */
     static Optional<String> kind(String path, Class<?> settings) {

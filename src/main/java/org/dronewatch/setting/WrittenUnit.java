@@ -8,7 +8,7 @@ import java.util.Optional;
  * A unit in which a number was written, such as rpm for a frequency.
  *
  * @param name as it was written
- * @param size in the unit of its quantity
+ * @param size its size in the unit of its quantity
  */
 record WrittenUnit(String name, double size) {
     private static final String NUMBER = "^[-+]?[\\d.]+(?:[eE][-+]?\\d+)?\\s*";
@@ -28,7 +28,7 @@ record WrittenUnit(String name, double size) {
                 : Optional.of(new WrittenUnit(unit, quantity.parse("1 " + unit)));
     }
 
-    /** A value of the quantity's unit, in this unit. */
+    /** A value, given in the quantity's unit, converted to this unit. */
     double number(double value) {
         return Double.isFinite(value)
                 ? new BigDecimal(value / size).round(DIGITS).doubleValue()

@@ -79,9 +79,9 @@ public final class Barrier {
 
     /**
      * Attenuation according to CNOSSOS-EU (Directive (EU) 2015/996, section 2.5.6),
-     * {@code 10 lg(3 + 40 C'' delta / lambda)}, with the path difference delta and the wavelength lambda, in still air
-     * (homogeneous conditions); for one edge, this is Maekawa's curve. The factor C'' for several edges is 1 for a span
-     * of up to {@value #SINGLE_EDGE_SPAN} m. The attenuation is at most {@value #LIMIT} dB.
+     * {@code 10 lg(3 + 40 C'' delta / lambda)}, where delta is the path difference and lambda the wavelength, in still
+     * air (homogeneous conditions); for one edge, this is Maekawa's curve. The factor C'' for several edges is 1 for a
+     * span of up to {@value #SINGLE_EDGE_SPAN} m. The attenuation is at most {@value #LIMIT} dB.
      *
      * @param pathDifference path difference, m
      * @param span distance from the first edge to the last along the path, 0 for one edge, m

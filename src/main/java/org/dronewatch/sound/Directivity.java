@@ -11,9 +11,10 @@ public enum Directivity {
     },
     /**
      * Directivity of rotors: from 500 Hz upwards, lower levels near their plane and higher levels above and below it.
-     * The gain is a high shelf of {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB with the elevation t from the rotors' plane
-     * in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how a shelf at 500 Hz is apportioned among octave
-     * bands is assumed: none of its gain up to 250 Hz, half of it (in dB) at 500 Hz, and all of it from 1 kHz upwards.
+     * The gain is a high shelf of {@code -0.0011 t^2 + 0.194 |t| - 4.9} dB, where t is the elevation from the rotors'
+     * plane in degrees (Heutschi and others, Acta Acustica 4, 24, 2020); how a shelf at 500 Hz is apportioned among
+     * octave bands is assumed: none of its gain up to 250 Hz, half of it (in dB) at 500 Hz, and all of it from 1 kHz
+     * upwards.
      */
     ROTOR {
         @Override

@@ -13,8 +13,8 @@ public final class Refraction {
     private Refraction() {}
 
     /**
-     * Angle of refraction t2 by Snell's law, {@code sin t2 / sin t1 = c2 / c1}, with the angle of incidence t1 and the
-     * speeds of sound c1 in front of the interface and c2 behind it.
+     * Angle of refraction t2 by Snell's law, {@code sin t2 / sin t1 = c2 / c1}, where t1 is the angle of incidence and
+     * c1 and c2 are the speeds of sound in front of the interface and behind it.
      *
      * @param incidence angle of incidence, 0 to pi/2
      * @param speed speed of sound in front of the interface, above 0, m/s

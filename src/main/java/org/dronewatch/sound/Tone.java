@@ -12,9 +12,9 @@ import java.util.OptionalDouble;
 public record Tone(int harmonic, double frequency, double share) {
 
     /**
-     * The frequency at which the tone is heard, Hz: {@code f / (1 - v / c)} (Doppler), with the emitted frequency f,
-     * the speed of approach v and the speed of sound c. Empty at and above the speed of sound, where a shock wave
-     * forms.
+     * The frequency at which the tone is heard, Hz: {@code f / (1 - v / c)} (Doppler), where f is the emitted
+     * frequency, v the speed of approach and c the speed of sound. Empty at and above the speed of sound, where a shock
+     * wave forms.
      *
      * @param approach speed of the drone towards the listener when it emitted the sound, m/s; negative when it flies
      *     away

@@ -2,9 +2,9 @@ package org.dronewatch.sound;
 
 /**
  * The noise that wind causes at a microphone in a windscreen: {@code L = 40 lg V - 23 lg(f D / V) + 15} in each
- * third-octave band, with the level L in dB re 20 uPa, the wind speed V in m/s, the midband frequency f in Hz and the
- * screen's diameter D in m (M. Strasberg, JASA 83, 544, 1988, from the measurements of four authors, within about 3 dB
- * for Strouhal numbers f D / V of 0.1 to 5; in SI units in G. P. van den Berg, "The sounds of high winds", Groningen
+ * third-octave band, where L is the level in dB re 20 uPa, V the wind speed in m/s, f the midband frequency in Hz and D
+ * the screen's diameter in m (M. Strasberg, JASA 83, 544, 1988, from the measurements of four authors, within about 3
+ * dB for Strouhal numbers f D / V of 0.1 to 5; in SI units in G. P. van den Berg, "The sounds of high winds", Groningen
  * 2006, equation VIII.2). Measured in smooth flow: natural wind, which is gusty, causes more noise at low frequencies.
  * Outside this range of Strouhal numbers the formula is extrapolated.
  */

@@ -5,8 +5,9 @@ import org.dronewatch.sensor.Measurement;
 
 /**
  * One look of a sensor at a contact, with its measurements, if any. Positioners and alert rules receive these; the
- * truth cannot be reached from them, and a look at a false contact has what a look at a drone has. Contacts in one look
- * are not in random order: what chooses among them must not depend on their order or their numbers.
+ * truth cannot be reached from them, and a look at a false contact carries the same information as a look at a drone.
+ * Contacts in one look are not in random order: code that chooses among them must not depend on their order or their
+ * numbers.
  *
  * @param contact number of the contact
  * @param sensor name of the sensor

@@ -20,7 +20,8 @@ import org.dronewatch.viewer.tape.TapeReading;
  */
 final class Measuring implements WorldTool, AutoCloseable {
     private static final String BEGIN =
-            "Measuring: click on a point, a sensor or a drone, or press Shift+M for the selected one; Escape ends it";
+            "Measuring: click on a point, a sensor or a drone, or press Shift+M for the selected one; Escape ends"
+                    + " measuring";
 
     private final WorldPanel world;
     private final Function<String, Optional<Position>> places;

@@ -2,11 +2,11 @@ package org.dronewatch.world;
 
 /**
  * Illuminance under a clear sky. By day: direct normal illuminance {@code 127.5 klx exp(-0.21 m)} and diffuse
- * horizontal illuminance {@code (0.8 + 15.5 sqrt(sin h)) klx} (IESNA Lighting Handbook, 9th ed., ch. 8), with the
- * elevation h of the sun and the air mass m of Kasten and Young (Applied Optics 28, 1989, 4735). After sunset: 3.4,
- * 0.008 and 0.00065 lx with the sun at 6, 12 and 18 degrees below the horizon, the ends of civil, nautical and
- * astronomical twilight (Seidelmann, ed., Explanatory Supplement to the Astronomical Almanac, 1992, sect. 9.33),
- * interpolated logarithmically between them.
+ * horizontal illuminance {@code (0.8 + 15.5 sqrt(sin h)) klx} (IESNA Lighting Handbook, 9th ed., ch. 8), where h is the
+ * elevation of the sun and m the air mass of Kasten and Young (Applied Optics 28, 1989, 4735). After sunset: 3.4, 0.008
+ * and 0.00065 lx with the sun at 6, 12 and 18 degrees below the horizon, the ends of civil, nautical and astronomical
+ * twilight (Seidelmann, ed., Explanatory Supplement to the Astronomical Almanac, 1992, sect. 9.33), interpolated
+ * logarithmically between them.
  */
 public final class ClearSky {
     private static final double OUTSIDE = 127_500.0;

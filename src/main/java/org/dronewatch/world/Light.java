@@ -95,7 +95,7 @@ public record Light(
      * This light in rain, with the visibility through air and rain. Each of the drops of Marshall and Palmer (1948),
      * {@code 8000 exp(-4.1 R^-0.21 D)} per cubic metre and millimetre of diameter D, removes light from twice its
      * cross-section (van de Hulst, "Light Scattering by Small Particles", 1957). The extinction by all drops together
-     * is {@code 0.365 R^0.63} per kilometre, or {@code 1.58 R^0.63} dB/km, with the rain rate R in mm/h.
+     * is {@code 0.365 R^0.63} per kilometre, or {@code 1.58 R^0.63} dB/km, where R is the rain rate in mm/h.
      *
      * @param rain rain rate, 0 or more, mm/h
      */
@@ -111,9 +111,9 @@ public record Light(
     }
 
     /**
-     * The fraction of a contrast that remains at a distance: {@code exp(-s d)} with the distance d and the extinction
-     * coefficient {@code s = -ln(contrastAtVisibility) / visibility} (Koschmieder 1924; CIE 17-31-020). Valid for a
-     * target seen against the horizon sky under uniform illumination.
+     * The fraction of a contrast that remains at a distance: {@code exp(-s d)}, where d is the distance and
+     * {@code s = -ln(contrastAtVisibility) / visibility} the extinction coefficient (Koschmieder 1924; CIE 17-31-020).
+     * Valid for a target seen against the horizon sky under uniform illumination.
      *
      * @param distance distance d, 0 or more, m
      */
@@ -135,7 +135,7 @@ public record Light(
 
     /**
      * The fraction of a contrast against any background that remains at a distance R:
-     * {@code 1 / (1 + K (exp(s R) - 1))} with s as for {@link #contrastLeft(double)}, where K is the ratio of the
+     * {@code 1 / (1 + K (exp(s R) - 1))}, where s is as for {@link #contrastLeft(double)}, and K is the ratio of the
      * luminance of the sky at the horizon to that of the background: the air scatters light into the line of sight
      * (Duntley, "The reduction of apparent contrast by the atmosphere", Journal of the Optical Society of America 38,
      * 179, 1948). For K = 1 this is Koschmieder's law.

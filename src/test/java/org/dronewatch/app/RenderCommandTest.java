@@ -43,7 +43,8 @@ class RenderCommandTest extends CuedCamera {
                 "--out",
                 directory.resolve("x.png").toString());
         assertThat(outcome.code()).isEqualTo(2);
-        assertThat(outcome.err()).contains("--camera radar: takes no pictures (radar); the scene has fixed, cued");
+        assertThat(outcome.err())
+                .contains("--camera radar: takes no pictures (radar); cameras in the scene: fixed, cued");
     }
 
     private record Row(String run, String time, String value) {}

@@ -3,8 +3,8 @@ package org.dronewatch.analysis.cell;
 import org.dronewatch.sensor.Cause;
 
 /**
- * What is kept of an assessment, as a number of three bytes: its probability as a {@link ProbabilityStep step},
- * its cause, and its {@link MarginCode margin}.
+ * What a field keeps of an assessment, as a three-byte number: its probability as a {@link ProbabilityStep step}, its
+ * cause, and its {@link MarginCode margin}.
  */
 public final class CellCode {
     /** The size of a code, bytes. */

@@ -35,7 +35,8 @@ public final class FieldColumns {
         double y(int column, int row);
 
         /**
-         * The height above the ground of a cell in a column, m; levels are counted from the lowest; NaN for no cell.
+         * The height above the ground of a cell in a column, m; levels are counted from the lowest; NaN if there is no
+         * such cell.
          */
         double above(int level, int column, int row);
 

@@ -1,7 +1,7 @@
 package org.dronewatch.analysis.cell;
 
 /**
- * A {@link Margin} as a number of twelve bits: two for what is known, ten for a number of tenths of a decibel. A value
+ * A {@link Margin} as a twelve-bit number: two bits for what is known, ten for a number of tenths of a decibel. A value
  * keeps its sign: a margin just below 0 is not rounded to 0. A value that is too large for the bits becomes a bound.
  */
 public final class MarginCode {
@@ -78,7 +78,7 @@ public final class MarginCode {
         };
     }
 
-    /** Whether a number of twelve bits is a valid code. */
+    /** Whether a twelve-bit number is a valid code. */
     public static boolean isPossible(int code) {
         return code < VALUE ? code <= NO_SIGNAL : (code & TENTHS) <= 2 * MOST;
     }

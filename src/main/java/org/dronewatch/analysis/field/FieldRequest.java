@@ -72,9 +72,9 @@ public record FieldRequest(
     }
 
     /**
-     * The number of cells that the sensors look at for the field, not for detectable heights and inbound flights, added
-     * up over all sensors. The cells of a sensor whose signal may be interpolated count twice: once for the assessment,
-     * and once for tracing the levels to be interpolated, which takes most of the time.
+     * The number of cells that the sensors look at for the field itself, not counting those for detectable heights and
+     * inbound flights, added up over all sensors. The cells of a sensor whose signal may be interpolated count twice:
+     * once for the assessment, and once for tracing the levels to be interpolated, which takes most of the time.
      */
     public long looksOfField() {
         long sensors = settings.enabledSensors().size() + surveys();

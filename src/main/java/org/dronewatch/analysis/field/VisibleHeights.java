@@ -35,7 +35,7 @@ public final class VisibleHeights {
      * Finds the heights for all enabled sensors of a scene, on the {@link Workers} of the calling thread; the result
      * does not depend on their number.
      *
-     * @param grid the grid, whose greatest height is where the search ends
+     * @param grid the grid; the search ends at its greatest height
      */
     public static VisibleHeights of(SceneSettings settings, Stage stage, FieldGrid grid) {
         Map<String, Position> positions = new LinkedHashMap<>();

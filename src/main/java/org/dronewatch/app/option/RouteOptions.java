@@ -83,7 +83,7 @@ public final class RouteOptions {
             paramLabel = "powered,slow,glide",
             description = "Modes in which the drone may fly, one or several in this order: powered, at cruise speed;"
                     + " slow, below the minimum radial speed of a radar; glide, with its motors off, once at the end;"
-                    + " by default, all in which it can fly and that make a difference to a sensor.")
+                    + " by default, all modes in which it can fly and that make a difference to a sensor.")
     private String modes;
 
     /** Checks what can be checked before anything is loaded, and passes the response time on to the runner. */

@@ -36,7 +36,7 @@ final class CityJsonFile {
      * Reads a file.
      *
      * @param file its name, for messages
-     * @param hash of the file
+     * @param hash hash of the file
      * @throws InputException with a one-line message when something in it is invalid
      */
     static MapFeatures read(String file, JsonNode root, FileHash hash) {

@@ -17,9 +17,9 @@ import tools.jackson.databind.JsonNode;
 /**
  * Reads outlines from GeoJSON (RFC 7946): polygons and multipolygons, whose properties are taken as tags of
  * OpenStreetMap ({@code height}, {@code building:levels}, {@code levels}, ...). Every area is a building, unless
- * {@code building} is {@code no}. If what covers the ground is asked for, areas and lines whose properties state it are
- * land cover, unless they are buildings, too. The older member {@code crs}, which most programs still write for
- * coordinates of a grid, is read as well.
+ * {@code building} is {@code no}. If land cover is requested, areas and lines whose properties state it are land cover,
+ * unless they are buildings, too. The older member {@code crs}, which most programs still write for coordinates of a
+ * grid, is read as well.
  */
 final class GeoJsonFile {
     private static final int MOST_DEPTH = 64;
@@ -47,8 +47,8 @@ final class GeoJsonFile {
      * Reads a file.
      *
      * @param file its name, for messages
-     * @param withLand whether what covers the ground is asked for
-     * @param hash of the file
+     * @param withLand whether land cover is requested
+     * @param hash hash of the file
      * @throws InputException with a one-line message when it is not GeoJSON
      */
     static MapFeatures read(String file, JsonNode root, boolean withLand, FileHash hash) {

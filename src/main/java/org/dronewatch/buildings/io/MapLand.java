@@ -14,7 +14,7 @@ public record MapLand(List<MapShape> shapes) {
     /** No land cover: not requested, or not stated by the map. */
     public static final MapLand NONE = new MapLand(List.of());
 
-    /** Keys of OpenStreetMap of which at least one is set on everything that says what covers the ground. */
+    /** Keys of OpenStreetMap, at least one of which is set on everything that describes land cover. */
     private static final Set<String> KEYS = Set.of(
             "landuse",
             "natural",
@@ -33,7 +33,7 @@ public record MapLand(List<MapShape> shapes) {
         shapes = List.copyOf(shapes);
     }
 
-    /** Whether tags may describe what covers the ground. Buildings do not, whatever else they are. */
+    /** Whether tags may describe land cover. Those of buildings do not, whatever else they are. */
     static boolean isLand(Map<String, String> tags) {
         String building = tags.getOrDefault("building", "no");
         return building.equals("no") && tags.keySet().stream().anyMatch(KEYS::contains);

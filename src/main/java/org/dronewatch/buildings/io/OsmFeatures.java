@@ -19,7 +19,7 @@ import org.dronewatch.setting.input.HeapBudget;
 final class OsmFeatures implements OsmElements {
     private static final long MOST_CORNERS = 100_000_000;
 
-    /** Elements that are sensible tags of buildings: anything else about a feature is not needed. */
+    /** Beginnings of the keys of tags that are needed; all other tags of a feature are dropped. */
     private static final List<String> TAGS = List.of(
             "building",
             "roof",

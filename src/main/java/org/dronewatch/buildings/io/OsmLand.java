@@ -11,9 +11,8 @@ import java.util.Set;
 import org.dronewatch.setting.InputException;
 
 /**
- * Collects what covers the ground from the elements of OpenStreetMap. A lake may reach far beyond the area whose nodes
- * were kept: its outline is completed by reading the file again, first for the ways that are missing, then for the
- * nodes.
+ * Collects the land cover from the elements of OpenStreetMap. A lake may reach far beyond the area whose nodes were
+ * kept: its outline is completed by reading the file again, first for the ways that are missing, then for the nodes.
  */
 final class OsmLand {
     private static final long MOST_CORNERS = 100_000_000;

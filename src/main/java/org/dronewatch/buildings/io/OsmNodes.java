@@ -30,7 +30,7 @@ final class OsmNodes {
     }
 
     /**
-     * Takes the memory of a way of some nodes and tags.
+     * Reserves the memory for a way with some nodes and tags.
      *
      * @throws InputException when there is too little
      */

@@ -87,7 +87,7 @@ public final class LandSurvey {
         }
     }
 
-    /** Whether the box around a line has a part of the square. */
+    /** Whether the box around a line overlaps the square. */
     private boolean isNear(double[] line) {
         double half = painter.half();
         boolean[] sides = new boolean[4];

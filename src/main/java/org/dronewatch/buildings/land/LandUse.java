@@ -5,7 +5,7 @@ package org.dronewatch.buildings.land;
  *
  * @param land its class
  * @param layer what is drawn over what
- * @param width of a line, m; 0 for an area
+ * @param width width of a line, m; 0 for an area
  */
 record LandUse(LandClass land, Layer layer, double width) {
     /** Kinds of shapes in the order in which they are drawn; within one, larger areas come first. */

@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
  * @param order random numbers that determine the order: the factor with the smallest number changes first
  */
 public record MorrisDesign(int factors, int base, Uniform01 values, Uniform01 order) implements FactorDesign {
-    /** By how much a factor changes, as a part of its distribution. */
+    /** The change of a factor, as a fraction of the total probability of its distribution. */
     static final double STEP = 0.5;
 
     private static final int LEVELS = 4;

@@ -10,7 +10,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
 /**
- * Reads the numbers of a plan's items, of which each has seven parameters (MAVLink, MISSION_ITEM): the first four mean
+ * Reads the numbers of a plan's items, each of which has seven parameters (MAVLink, MISSION_ITEM): the first four mean
  * what the command says, the others latitude, longitude and height.
  *
  * @param name what messages call the file

@@ -9,8 +9,8 @@ import java.util.Set;
 public interface MeshReader {
 
     /**
-     * File extensions, in lower-case letters and digits without the dot: {@code obj}; no two readers may share an
-     * extension.
+     * File extensions, in lower-case letters and digits without the dot, such as {@code obj}; no two readers may share
+     * an extension.
      */
     Set<String> extensions();
 

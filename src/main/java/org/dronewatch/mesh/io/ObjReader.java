@@ -12,10 +12,10 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.input.FileHash;
 
 /**
- * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, into a fan if
- * that covers exactly the polygon; triangles without area are dropped and counted; lines, curves, normals, texture
- * coordinates and everything else in the format are skipped and counted. An invalid statement causes an {@link
- * InputException} that names the file and the line.
+ * Reads Wavefront OBJ files with the materials of their MTL files. Polygons are cut into triangles, as a fan if the fan
+ * covers the polygon exactly; triangles without area are dropped and counted; lines, curves, normals, texture
+ * coordinates and everything else in the format are skipped and counted. An invalid statement causes an
+ * {@link InputException} that names the file and the line.
  */
 public final class ObjReader implements MeshReader {
     @Override

@@ -27,19 +27,20 @@ import org.dronewatch.setting.input.LinkOut;
  *     Only for the objective {@code coverage}
  * @param side side of the square around the candidates if no area is given, above 0 and at most 100 km, m; 500 m by
  *     default. For {@code weakest-route}, the square is around the protected zone and, by default, as large as that of
- *     {@code route}
+ *     the command {@code route}
  * @param cell length of a cell's side, above 0 and at most 100 km, m; a fiftieth of the side by default
  * @param heights heights above the ground, in ascending order, each above 0 and at most 10 km, m; 10, 30, 60, 120 and
- *     150 m by default. For {@code weakest-route}, by default those of {@code route}, up to the drone's ceiling
+ *     150 m by default. For {@code weakest-route}, the default heights are those of the command {@code route}, up to
+ *     the drone's ceiling
  * @param covered minimum probability of detection at which a sensor covers a cell, 0.008 to 0.996, or 1; 0.5 by default
  * @param within time within which a sensor must detect the drone, s; a single look by default
- * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: every cell counts
- *     on the heading towards the protected zone. {@code any} by default
+ * @param heading {@code any}: each of eight headings counts as an eighth of a cell; {@code inbound}: only the heading
+ *     towards the protected zone counts. {@code any} by default
  * @param conditions file of conditions, such as night or fog, in the directory of this file or below it, as for
  *     {@code coverage --conditions}: what counts is the coverage, the warning time, or the exposure, under the worst of
  *     these conditions, including the scene as it is
  * @param pointing whether sensors on positioners have turned to the drone ({@code cued}) or search for it
- *     ({@code search}); {@code cued} by default, and {@code search} for {@code weakest-route}
+ *     ({@code search}); {@code cued} by default, but {@code search} for {@code weakest-route}
  */
 public record AirSettings(
         Optional<String> area,
@@ -107,7 +108,7 @@ public record AirSettings(
     /**
      * The path of the file of conditions; empty without one.
      *
-     * @param directory of the placement file
+     * @param directory directory of the placement file
      * @throws InputException with a one-line message when it lies elsewhere
      */
     Optional<Path> conditionsFile(Path directory) {

@@ -30,14 +30,14 @@ import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Places;
 import org.dronewatch.world.Visibility;
 
-/** The sensors that a placement file offers, at each of their places and with each of their aims. */
+/** The sensors that a placement file offers, at each of their positions and with each of their aims. */
 final class CandidatesOnSite {
     /** Maximum number of candidates. */
     private static final int MOST = 1000;
 
     private static final double FULL_TURN = 360.0;
 
-    /** Digits after the point of an angle in degrees: those that rounding does not spoil. */
+    /** Decimal places of an angle in degrees: those that rounding errors do not affect. */
     private static final int DECIMALS = 9;
 
     private static final String OFFERS = "candidates.";
@@ -99,7 +99,7 @@ final class CandidatesOnSite {
         }
     }
 
-    /** A sensor at a place, with each of its aims. */
+    /** Adds a sensor at a position, with each of its aims. */
     private void fixed(String name, OfferSettings offer, String number, Position place) {
         SensorSettings<?> sensor = sensor(OFFERS + name, offer.sensor(), place);
         for (int aim = 0; aim < offer.aims(); aim++) {
@@ -108,7 +108,7 @@ final class CandidatesOnSite {
         }
     }
 
-    /** The sensor on each of its positioners. */
+    /** Adds the sensor on each of its positioners. */
     private void turning(String name, OfferSettings offer, String number, Position place) {
         if (!offer.positioners().isEmpty() && offer.sensor().values().containsKey("positioner")) {
             throw new InputException(OFFERS + name + ".positioners: the sensor already has a positioner");
@@ -126,7 +126,7 @@ final class CandidatesOnSite {
         add(OFFERS + name, new SiteCandidate(new Candidate(id, price, name, taken, false), sensor));
     }
 
-    /** Which places have a line of sight to the base station: all if there is none. */
+    /** Whether a position has a line of sight to the base station: true for all if there is none. */
     private static Predicate<Position> link(PlaceSettings settings, SceneSettings present, SceneRunner runner) {
         return settings.conditions()
                 .base()

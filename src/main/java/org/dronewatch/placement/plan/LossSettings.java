@@ -10,9 +10,9 @@ import org.dronewatch.setting.Quantity;
 /**
  * What must remain after a loss.
  *
- * @param atLeast the least fraction of the airspace that must still be covered or, for {@code weakest-route}, the least
+ * @param atLeast minimum fraction of the airspace that must still be covered or, for {@code weakest-route}, minimum
  *     probability with which the drone must still be detected on any route, 0 to 1
- * @param warning the least warning time that must remain, for {@code warning-time}, s
+ * @param warning minimum warning time that must remain, for {@code warning-time}, s
  */
 public record LossSettings(
         @In(value = Quantity.RATIO, from = 0, to = 1) Optional<Double> atLeast,

@@ -7,7 +7,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.file.Node;
 
 /**
- * A positioner on which a sensor may be mounted instead of being fixed.
+ * A positioner on which a sensor may be mounted, instead of on a fixed mount.
  *
  * @param positioner settings of the positioner as in a scene file, such as {@code {use: viper}}; in the layout, it is
  *     cued by all sensors that measure directions unless its settings name the sensors that cue it

@@ -23,9 +23,9 @@ import org.dronewatch.setting.file.Node;
  * @param area positions within a polygon, such as a roof
  * @param aims number of directions, evenly spaced around the compass from the sensor's own azimuth, in which it may be
  *     aimed at each position, 1 to 72; 1 by default
- * @param positioners positioners on which the sensor may be mounted instead of being fixed, by name; in the layout, the
- *     name of a sensor on a positioner ends with the name of the positioner. At each position, there is one candidate
- *     on each positioner, in addition to one for each aim; none by default
+ * @param positioners positioners on which the sensor may be mounted, instead of on a fixed mount, by name; in the
+ *     layout, the name of a sensor on a positioner ends with the name of the positioner. At each position, there is one
+ *     candidate on each positioner, in addition to one for each aim; none by default
  * @param exclusive whether such a sensor rules out other exclusive sensors, and sensors that are kept, at its position;
  *     {@code false} by default
  * @param atLeast minimum number of such sensors in the layout; 0 by default

@@ -15,7 +15,7 @@ import org.dronewatch.setting.Quantity;
 public final class PossibleLayouts {
     private final PlacePlan plan;
 
-    /** Those that are not kept. */
+    /** The candidates that are not kept. */
     private final Map<String, List<Candidate>> byKind = new LinkedHashMap<>();
 
     private final int kept;

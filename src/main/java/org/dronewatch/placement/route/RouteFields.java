@@ -53,8 +53,8 @@ final class RouteFields {
      * The fields of a plan.
      *
      * @param scene the scene as it is, or under a condition
-     * @param stage of that
-     * @param store of assessments that were made before
+     * @param stage stage of that scene
+     * @param store store of earlier assessments
      * @param grid the {@linkplain #grid cells} of the plan
      */
     RouteFields(PlacePlan plan, SceneSettings scene, Stage stage, LayerStore store, FieldGrid grid) {
@@ -70,7 +70,7 @@ final class RouteFields {
     /**
      * The cells of a plan, which are the same under all conditions.
      *
-     * @param stage of the scene as it is
+     * @param stage stage of the scene as it is
      * @throws InputException when the scene has no protected zone, or the cells are too many
      */
     static FieldGrid grid(PlacePlan plan, Stage stage) {

@@ -40,7 +40,7 @@ final class RouteFigures {
         return withParts(inBrief(cut));
     }
 
-    /** Without the figures of parts of the layout and of the scene. */
+    /** The figures of a layout, without those of its parts and of the scene. */
     RoutePlacement inBrief(CutResult cut) {
         PlacementResult found = cut.result();
         // These routes have been searched for already.
@@ -85,7 +85,10 @@ final class RouteFigures {
         return new RouteParts(alone(brief), without(brief), purchases(brief), present(), remaining(brief));
     }
 
-    /** Where nothing gains anything, the reason: no layout exposes a drone more than all candidates together. */
+    /**
+     * If no layout gains anything, the routes that show why: no layout exposes a drone more than all candidates
+     * together do.
+     */
     private List<DirectedRoute> remaining(RoutePlacement brief) {
         return brief.value() == 0.0 ? rows.pastCandidates(affordable(plan)) : List.of();
     }
@@ -115,7 +118,7 @@ final class RouteFigures {
         return without;
     }
 
-    /** What the losses of the candidates of a plan leave. */
+    /** What remains after losses of the candidates of a plan. */
     static CandidateLosses losses(PlacePlan plan) {
         return new CandidateLosses(
                 plan.candidates().stream().map(SiteCandidate::name).toList(), PlanConditions.of(plan));
@@ -132,7 +135,7 @@ final class RouteFigures {
                 : Optional.of(new PresentLayout(own.size(), RouteRows.counted(rows.past(own))));
     }
 
-    /** What is missed least over all routes decides where the weakest of them are equally exposed. */
+    /** Where the weakest routes are equally exposed, the mean exposure over all routes decides. */
     private List<PlaceStep> purchases(RoutePlacement brief) {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), rows::value, rows::most, rows::mean)

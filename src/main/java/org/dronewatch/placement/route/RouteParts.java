@@ -26,7 +26,7 @@ public record RouteParts(
         List<PlaceStep> purchases,
         Optional<PresentLayout> present,
         List<DirectedRoute> remaining) {
-    /** Without any. */
+    /** No figures. */
     static final RouteParts NONE = new RouteParts(Map.of(), Map.of(), List.of(), Optional.empty(), List.of());
 
     /** Copies the lists and maps. */

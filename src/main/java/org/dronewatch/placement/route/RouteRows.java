@@ -85,12 +85,12 @@ final class RouteRows implements RowOracle {
         return most(chosen) == 0.0 ? 0.0 : counted(pastCandidates(chosen));
     }
 
-    /** What counts of the exposure on the first of some routes, the weakest. */
+    /** The part that counts of the exposure on the first, the weakest, of some routes. */
     static double counted(List<DirectedRoute> routes) {
         return Math.min(WeakestRouteSearch.ENOUGH, routes.get(0).exposure());
     }
 
-    /** What the least exposure to some candidates does not exceed, by the routes known so far. */
+    /** An upper bound on the least exposure to some candidates, by the routes known so far. */
     double most(List<Integer> chosen) {
         Set<String> names = names(chosen);
         return scenes.stream().mapToDouble(scene -> scene.least(names)).min().orElseThrow();

@@ -28,7 +28,7 @@ final class SceneRoutes {
     static final Comparator<DirectedRoute> WEAKEST_FIRST = Comparator.comparingDouble(DirectedRoute::exposure)
             .thenComparingDouble(one -> one.route().seconds());
 
-    /** Exposures that differ by a smaller fraction are those of one route, but for rounding. */
+    /** Exposures that differ by a smaller fraction are those of one route, except for rounding. */
     private static final double ROUNDING = 1e-9;
 
     private final Optional<String> condition;
@@ -41,7 +41,7 @@ final class SceneRoutes {
 
     private final Map<RoutePath, KnownRoute> known = new LinkedHashMap<>();
 
-    /** Of any layout: which part of a route counts does not depend on the sensors. */
+    /** The routes past any layout, since which part of a route counts does not depend on the sensors. */
     private Optional<SiteRoutes> site = Optional.empty();
 
     /** A route with the exposure, on the part that counts, to each sensor by its name. */

@@ -16,10 +16,10 @@ final class AirGrid {
     private AirGrid() {}
 
     /**
-     * A coordinate of a centre in whole nanometres: commands that name it again, without loss, are then not full of
-     * digits that rounding has left.
+     * A coordinate of a centre, rounded to whole nanometres, so that commands that repeat it without loss are not full
+     * of digits left by rounding errors.
      *
-     * @param coordinate m
+     * @param coordinate the coordinate, m
      */
     static double printable(double coordinate) {
         return Math.rint(NANOMETRES * coordinate) / NANOMETRES;

@@ -13,7 +13,7 @@ final class BudgetSteps {
     /** The greatest number of sums that are listed; if there are more, evenly spaced budgets are as good. */
     private static final int MOST_SUMS = 4096;
 
-    /** Sums are the same up to this, so that rounding does not split one sum in two. */
+    /** Sums are rounded to multiples of this, so that rounding errors do not split one sum in two. */
     private static final double UNIT = 1e-6;
 
     private BudgetSteps() {}
@@ -21,7 +21,7 @@ final class BudgetSteps {
     /**
      * Evenly spaced budgets in ascending order.
      *
-     * @param sums of prices
+     * @param sums the sums of prices
      * @param limit all are lower
      * @param most greatest number of them, 0 or more
      */
@@ -43,7 +43,7 @@ final class BudgetSteps {
     /**
      * Further budgets, each at the midpoint of what is then the widest interval that has any sum inside.
      *
-     * @param sums of prices
+     * @param sums the sums of prices
      * @param had the budgets between which they lie, in any order
      * @param most greatest number of them
      */

@@ -14,8 +14,8 @@ import org.dronewatch.placement.plan.SiteCandidate;
 
 /**
  * Tries budgets below that of a layout. Where conditions can only be met with more money, the cheapest budget that
- * suffices is found by bisection, and the others are spread above it. As many are tried as are allowed, if there are so
- * many sums of prices.
+ * suffices is found by bisection, and the others are spread above it. As many budgets are tried as are allowed, if
+ * there are that many sums of prices.
  *
  * @param <L> a layout for some objective
  */
@@ -28,7 +28,7 @@ final class BudgetTrials<L extends PlacedLayout> {
     private final NavigableMap<Double, L> found = new ConcurrentSkipListMap<>();
     private final NavigableSet<Double> infeasible = new ConcurrentSkipListSet<>();
 
-    /** Those that are to be tried, or were, without an answer so far. */
+    /** The budgets that are to be tried, or have been tried, and have no answer so far. */
     private final NavigableSet<Double> unknown = new ConcurrentSkipListSet<>();
 
     private volatile boolean isStopped;

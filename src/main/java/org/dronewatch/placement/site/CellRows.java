@@ -41,9 +41,9 @@ final class CellRows {
     /**
      * Rows that are not numbered yet.
      *
-     * @param scene under the condition
-     * @param stage of that
-     * @param store of assessments that were made before
+     * @param scene the scene under the condition
+     * @param stage stage of that scene
+     * @param store store of earlier assessments
      */
     CellRows(PlacePlan plan, SceneSettings scene, Stage stage, LayerStore store, FieldGrid grid, List<Course> courses) {
         this.scene = scene;
@@ -110,7 +110,7 @@ final class CellRows {
         }
     }
 
-    /** The number of rows; known once a sensor was assessed. */
+    /** The number of rows; known once a sensor has been assessed. */
     int size() {
         return count;
     }

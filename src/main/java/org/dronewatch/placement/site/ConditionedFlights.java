@@ -83,7 +83,7 @@ final class ConditionedFlights {
     /**
      * A column with a row for each flight of which there is a warning.
      *
-     * @param warnings in the scene as it is and under each condition
+     * @param warnings the warnings in the scene as it is and under each condition
      * @param longest the longest warning that can be found, s: if it is given, values are the amounts by which warnings
      *     are shorter
      */

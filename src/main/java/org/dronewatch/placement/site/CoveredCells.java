@@ -137,7 +137,7 @@ public final class CoveredCells {
         return scenes.get(0).size();
     }
 
-    /** By row: the number of its condition, 0 for the scene as it is; known once a sensor was assessed. */
+    /** By row: the number of its condition, 0 for the scene as it is; known once a sensor has been assessed. */
     int[] conditions() {
         int[] conditions = new int[all()];
         int row = 0;

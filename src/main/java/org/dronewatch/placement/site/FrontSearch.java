@@ -85,7 +85,7 @@ public final class FrontSearch<L extends PlacedLayout> {
         return bounded;
     }
 
-    /** Without layouts that are worth no more than a cheaper one, in print, or than buying nothing. */
+    /** The points without layouts that, as printed, are worth no more than a cheaper one, or than buying nothing. */
     private List<FrontPoint<L>> points(List<L> found, List<Double> budgets, Optional<L> nothing, SolverLimits limits) {
         double atLeast = nothing.map(PlacedLayout::value).orElse(0.0);
         List<FrontPoint<L>> points = new ArrayList<>();

@@ -87,7 +87,7 @@ public final class Layout {
         }
     }
 
-    /** With cues for the positioners that name none: from all other sensors that measure directions. */
+    /** The sensors, with cues added for positioners that name none: from all other sensors that measure directions. */
     private static Map<String, SensorSettings<?>> cued(Map<String, SensorSettings<?>> sensors, Set<String> kept) {
         Map<String, SensorSettings<?>> all = new LinkedHashMap<>(sensors);
         all.replaceAll((name, sensor) -> {

@@ -15,7 +15,7 @@ public record SectorGain(double bearing, double lowest, double highest, double b
     /** A part of which this fraction is covered, or a route with this probability of a detection, counts as closed. */
     private static final double CLOSED = 0.95;
 
-    /** What is covered or detected as rarely as this counts as a gap. */
+    /** A covered fraction, or a probability of a detection, below this counts as a gap. */
     private static final double OPEN = 0.8;
 
     /**

@@ -24,7 +24,7 @@ public record TimeStop(double seconds, double gap, boolean gapReached, boolean c
         this(seconds, gap, gapReached, cheaper, List.of());
     }
 
-    /** This stop when something else was not complete, either. */
+    /** This stop, with one more part that was not complete. */
     TimeStop with(LeftOut part) {
         List<LeftOut> all = new ArrayList<>(leftOut);
         all.add(part);

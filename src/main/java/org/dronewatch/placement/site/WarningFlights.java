@@ -17,7 +17,7 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.setting.InputException;
 
 /**
- * The warnings that each sensor gives by itself of flights straight in from every bearing and at every height, as
+ * The warnings that each sensor by itself gives of straight inbound flights from every bearing and at every height, as
  * {@code coverage} finds them: together, sensors give the longest of their warnings. For one thread, which may have
  * {@link org.dronewatch.parallel.Workers}.
  */
@@ -35,8 +35,8 @@ final class WarningFlights {
      * The flights of a plan.
      *
      * @param scene the scene as it is, or under a condition
-     * @param stage of that
-     * @param store of assessments that were made before
+     * @param stage stage of that scene
+     * @param store store of earlier assessments
      * @throws InputException when the scene has no protected zone, or the cells are too many
      */
     WarningFlights(PlacePlan plan, SceneSettings scene, Stage stage, LayerStore store) {
@@ -89,7 +89,7 @@ final class WarningFlights {
         return (long) size() * grid.columns() / 2;
     }
 
-    /** The warnings of some sensors, but for those that the condition switches off. */
+    /** The warnings of some sensors, except those that the condition switches off. */
     InboundWarnings of(Map<String, SensorSettings<?>> sensors, IntConsumer progress) {
         Map<String, SensorSettings<?>> here = new LinkedHashMap<>(sensors);
         here.keySet().removeAll(scene.disabled());

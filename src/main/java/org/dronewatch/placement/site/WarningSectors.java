@@ -19,7 +19,7 @@ final class WarningSectors {
     /**
      * The flights of a placement.
      *
-     * @param placement with a row for each flight: by condition, then by height, then by bearing
+     * @param placement a placement with a row for each flight: by condition, then by height, then by bearing
      */
     WarningSectors(WarningPlacement placement) {
         this.placement = placement;

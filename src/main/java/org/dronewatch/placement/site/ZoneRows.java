@@ -10,7 +10,7 @@ import org.dronewatch.placement.PlacementProblem;
  * The rows of a protected zone in the scene as it is, all of which count the same. Immutable.
  *
  * @param zone its name; empty for all cells that are in none of the zones with weights
- * @param weight of each of its cells
+ * @param weight weight of each of its cells
  * @param rows the rows of its cells
  * @param present the fraction of the zone that the scene's own sensors cover; empty if it is not known
  */

@@ -36,7 +36,7 @@ final class ZoneWeights {
     /**
      * A protected zone in plan view.
      *
-     * @param setting that names it
+     * @param setting setting that names the zone
      * @throws InputException when it is not in the scene
      */
     static AreaZone zone(String name, String setting, AlertSettings alert) {

@@ -33,7 +33,10 @@ final class BranchAndBound {
         tally = new Tally(rules);
     }
 
-    /** Searches; the greatest bound of what was left when it was stopped, negative infinity if nothing was. */
+    /**
+     * Searches; returns the greatest bound of what was left when the search was stopped, negative infinity if nothing
+     * was.
+     */
     double search() {
         byte[] state = new byte[rules.size];
         for (int candidate : rules.fixed) {
@@ -54,7 +57,7 @@ final class BranchAndBound {
         return Double.NEGATIVE_INFINITY;
     }
 
-    /** Examines a node, and opens what is left of it; its bound. */
+    /** Examines a node, and opens what is left of it; returns its bound. */
     private double examined(SearchNode node, int steps) {
         byte[] state = node.state();
         if (cutoff.isHopeless(node.bound()) || !propagated(state) || !maySurviveLoss(state)) {
@@ -103,7 +106,7 @@ final class BranchAndBound {
         }
     }
 
-    /** Draws the conclusions that the rules allow; false if no choice complies. */
+    /** Draws the conclusions that the rules allow; returns false if no choice complies. */
     private boolean propagated(byte[] state) {
         if (tally.isBroken(SearchNode.having(state, SearchNode.IN, SearchNode.IN))) {
             return false;

@@ -36,7 +36,7 @@ final class CutRows {
      * single candidate count as equal to it: this makes relaxations tighter, and does not make a layout of less value
      * the better one.
      *
-     * @param bound of the best value, 0 or more
+     * @param bound bound on the best value, 0 or more
      */
     PlacementProblem problem(double bound) {
         double most = Math.max(bound, conditions.anyoneLost().orElse(0.0));

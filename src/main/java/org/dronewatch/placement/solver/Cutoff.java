@@ -50,7 +50,7 @@ final class Cutoff {
         return sum < MOST_UNITS;
     }
 
-    /** Whether no better gain may hide below a bound. */
+    /** Whether no better gain can hide below a bound. */
     boolean isHopeless(double bound) {
         if (!incumbent.isFound()) {
             return false;
@@ -69,7 +69,7 @@ final class Cutoff {
         return unit > 0.0 ? unit * Math.floor(bound / unit + WHOLE) : bound;
     }
 
-    /** What the gain is at most, if no part of the search is left that has a greater bound than this. */
+    /** The most that the gain can be if no remaining part of the search has a greater bound than this. */
     double bound(double open) {
         double value = incumbent.value();
         double most = Math.max(closed, reachable(open));

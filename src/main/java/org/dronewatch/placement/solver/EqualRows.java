@@ -8,7 +8,7 @@ import org.dronewatch.placement.CandidateColumn;
 import org.dronewatch.placement.CandidateTable;
 
 /**
- * Rows to which all candidates contribute the same are merged, and their weights added: many cells of the air are seen
+ * Rows to which each candidate contributes the same are merged, and their weights added: many cells of the air are seen
  * by the same sensors. Rows that no candidate reaches are merged, too. Classes of rows are refined by one candidate
  * after the other, which takes an integer for each row, however many candidates there are.
  */
@@ -38,7 +38,7 @@ final class EqualRows {
         }
     }
 
-    /** The number of classes. */
+    /** Divides the rows by their impacts; returns the number of classes. */
     private int divideByImpact(IntToDoubleFunction undetected) {
         Map<Double, Integer> known = new HashMap<>();
         for (int row = 0; row < merged.length; row++) {
@@ -86,7 +86,7 @@ final class EqualRows {
 
     private record ValueInClass(int former, double value) {}
 
-    /** Numbers the classes in the order in which they first occur; their number. */
+    /** Numbers the classes in the order in which they first occur; returns how many there are. */
     private int renumber(int classes) {
         int[] numbers = new int[classes];
         Arrays.fill(numbers, NONE);

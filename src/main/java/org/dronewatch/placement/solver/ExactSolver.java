@@ -40,7 +40,9 @@ public final class ExactSolver implements PlacementSolver {
         return Optional.of(result(problem, incumbent, gains.reported(bound), isComplete));
     }
 
-    /** The greatest bound of what is left when the search is stopped, negative infinity if nothing is. */
+    /**
+     * Searches; returns the greatest bound of what is left when the search is stopped, negative infinity if nothing is.
+     */
     private static double search(
             Gains gains, Incumbent incumbent, Cutoff cutoff, OptionalDouble needed, SearchEnd end) {
         BooleanSupplier isStopped = () -> end.isDue() && (incumbent.isFound() || end.isGraceOver());
@@ -65,7 +67,7 @@ public final class ExactSolver implements PlacementSolver {
                 chosen, value, isBeyond && !isProven ? bound : value, problem.cost(chosen), isComplete);
     }
 
-    /** Without candidates that add nothing, the dearest first. */
+    /** The choice without candidates that add nothing; the dearest are removed first. */
     private static List<Integer> trimmed(PlacementProblem problem, Incumbent incumbent) {
         int[] chosen = incumbent.chosen();
         double[] costs = incumbent.rules().cost;

@@ -33,7 +33,7 @@ final class GroupWeights {
         return weights;
     }
 
-    /** The weights; 1 in all. Offers the choices that they lead to. */
+    /** The weights, which add up to 1. Offers the choices to which they lead. */
     double[] found() {
         for (int group = 0; group < gains.groups && gains.groups > 1 && !isStopped.getAsBoolean(); group++) {
             double[] alone = new double[gains.groups];

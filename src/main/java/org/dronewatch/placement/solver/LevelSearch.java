@@ -60,7 +60,10 @@ final class LevelSearch {
         }
     }
 
-    /** Searches; the greatest level that was not refuted when it was stopped, or that of the choice found. */
+    /**
+     * Searches; returns the greatest level that had not been refuted when the search was stopped, or that of the choice
+     * found.
+     */
     double search() {
         start.found();
         double[] levels = levels();
@@ -124,8 +127,8 @@ final class LevelSearch {
     }
 
     /**
-     * Where too few of a choice reach what must remain of a row after a loss that stops others, too: those that reach
-     * it, and those that the stopped ones need; null if enough do.
+     * If too few candidates of a choice reach what must remain of a row after a loss that stops others, too: the
+     * candidates that reach it, and those that the stopped ones need; null if enough reach it.
      */
     private int[] mending(int[] chosen) {
         Rules rules = incumbent.rules();

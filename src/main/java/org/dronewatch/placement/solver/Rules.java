@@ -116,7 +116,7 @@ final class Rules {
         return Arrays.stream(chosen).anyMatch(one -> one == candidate);
     }
 
-    /** Whether the loss of one of some candidates stops another of them, which has needed it. */
+    /** Whether the loss of one of some candidates stops another of them, which needed it. */
     boolean stopsOthers(int[] chosen, int lost) {
         return hasNeeds && remaining(chosen, lost).length < chosen.length - 1;
     }

@@ -1,7 +1,7 @@
 package org.dronewatch.placement.solver;
 
 /**
- * A part of the search: candidates that are decided, and how good a choice with these decisions can be at most. It
+ * A part of the search: candidates that are decided, and how good, at most, a choice with these decisions can be. It
  * owns the arrays.
  */
 record SearchNode(byte[] state, double[] multipliers, double bound) {
@@ -16,7 +16,7 @@ record SearchNode(byte[] state, double[] multipliers, double bound) {
         return new SearchNode(decided, multipliers.clone(), bound);
     }
 
-    /** The candidates of a state, and of another; ascending. */
+    /** The candidates with one decision or the other, ascending. */
     static int[] having(byte[] state, byte one, byte other) {
         int count = 0;
         for (byte decision : state) {

@@ -20,7 +20,7 @@ final class Selection {
     private final int[] ofKind;
     private int free;
 
-    /** Whether a candidate is picked, beside those that are decided. */
+    /** Whether a candidate is picked, in addition to those that are decided. */
     private final boolean[] isPicked;
 
     private int picked;

@@ -40,7 +40,7 @@ final class Subgradient {
     /**
      * The least bound found; leaves the relaxation at it.
      *
-     * @param multipliers to begin with; afterwards those of the least bound
+     * @param multipliers multipliers to begin with; afterwards those of the least bound
      */
     double lowest(double[] multipliers, byte[] state, int steps) {
         double[] trial = multipliers.clone();
@@ -81,7 +81,7 @@ final class Subgradient {
         }
     }
 
-    /** A step down; false where the bound is the least there is. */
+    /** Takes a step down; returns false where the bound is the least that there is. */
     private boolean move(double[] multipliers, double bound, double factor) {
         double square = 0.0;
         for (int row = 0; row < multipliers.length; row++) {

@@ -24,7 +24,7 @@ final class SumLeastDual extends Dual {
         }
     }
 
-    /** To the simplex of weights of 0 or more whose sum is 1: J. Duchi et al., ICML 2008. */
+    /** Projects the multipliers onto the simplex of weights of 0 or more whose sum is 1: J. Duchi et al., ICML 2008. */
     @Override
     void project(double[] multipliers) {
         double[] sorted = multipliers.clone();

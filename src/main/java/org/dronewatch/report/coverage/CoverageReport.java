@@ -250,7 +250,7 @@ final class CoverageReport {
                         .orElse("The area assessed is "))
                 + number(grid.columns() * grid.cell()) + " m by " + number(grid.columns() * grid.cell())
                 + " m in cells of "
-                + number(grid.cell()) + " m: what is smaller than a cell may be missed.");
+                + number(grid.cell()) + " m: anything smaller than a cell may be missed.");
         items.add(
                 "Heights are measured from the ground, not from roofs. Places inside something solid do not count, nor do"
                         + " those that are unknown because they, or the line of sight to them, are beyond the known ground.");

@@ -46,7 +46,7 @@ final class WarningRose {
             rose.entry(stroke(i), number(heights[i]) + " m above the ground");
         }
         if (warnings.response() > 0.0) {
-            rose.entry(RESPONSE, "required response, " + number(warnings.response()) + " s");
+            rose.entry(RESPONSE, "response time, " + number(warnings.response()) + " s");
         }
         return rose.svg();
     }

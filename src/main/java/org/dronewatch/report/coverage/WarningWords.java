@@ -33,7 +33,7 @@ public final class WarningWords {
                 + " it arrives; where a line touches the centre, the drone arrives undetected. "
                 + (warnings.response() > 0.0
                         ? "For bearings at which a line is inside the ring, the warning comes too late."
-                        : "The scene requires no response time (alert.response).");
+                        : "The scene states no response time (alert.response).");
     }
 
     /** What the distance at which flights begin hides. */
@@ -48,7 +48,7 @@ public final class WarningWords {
                 "p",
                 limit
                         + (isShort
-                                ? " That is less than the required response: the model of the site ends there, or the"
+                                ? " That is less than the response takes: the model of the site ends there, or the"
                                         + " flights have reached their maximum number of cells. Use a model of a larger"
                                         + " site, or larger cells (--cell)."
                                 : "")

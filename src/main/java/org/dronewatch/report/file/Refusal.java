@@ -25,7 +25,7 @@ final class Refusal {
             return (RuntimeException) problem;
         }
         if (Interrupts.isIn(problem)) {
-            CancellationException interrupted = new CancellationException("interrupted while a file was written");
+            CancellationException interrupted = new CancellationException("interrupted while a file was being written");
             interrupted.initCause(problem);
             return interrupted;
         }

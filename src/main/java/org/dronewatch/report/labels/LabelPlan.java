@@ -90,8 +90,10 @@ public record LabelPlan(List<String> cameras, int samples, long pictures, long p
                             ? "is switched off"
                             : "does not take pictures in colour ("
                                     + settings.sensors().get(id).kind() + ")";
-            throw new InputException(option + " " + PlainText.value(id) + ": " + why + "; the scene has "
-                    + (known.isEmpty() ? "no camera" : String.join(", ", known)));
+            throw new InputException(option + " " + PlainText.value(id) + ": " + why
+                    + (known.isEmpty()
+                            ? "; no colour camera is switched on"
+                            : "; colour cameras that are switched on: " + String.join(", ", known)));
         }
     }
 

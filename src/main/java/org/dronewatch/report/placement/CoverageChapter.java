@@ -124,7 +124,7 @@ final class CoverageChapter {
                         + "a square with sides of " + number(grid.columns() * grid.cell()) + " m, in cells of "
                         + number(grid.cell()) + " m, at heights of "
                         + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
-                        + " m above the ground: what is smaller than a cell may be missed.",
+                        + " m above the ground: anything smaller than a cell may be missed.",
                 best.headings() > 1
                         ? "Unless stated otherwise, the " + ShareMeasure.inWords(best.headings())
                                 + " headings of the drone count alike: a cell that is covered on half of them counts as half"

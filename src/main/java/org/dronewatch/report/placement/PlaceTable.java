@@ -88,7 +88,7 @@ final class PlaceTable {
     /** That no layout gains anything, in a sentence which names the fold, a likely cause. */
     private String useless() {
         if (!layout.complete()) {
-            return "So far, no layout was found that improves on buying nothing: nothing is bought.";
+            return "So far, no layout has been found that improves on buying nothing: nothing is bought.";
         }
         int fold = layout.plan().settings().conditions().fold();
         boolean isProven = layout.bound() <= layout.value();

@@ -108,10 +108,11 @@ final class RouteChapter {
                         + " m around the protected zone, in cells"
                         + " of " + number(grid.cell()) + " m, at heights of "
                         + grid.heights().stream().map(height -> number(height)).collect(Collectors.joining(", "))
-                        + " m above the ground: what hides a drone and is smaller than a cell may be missed.",
+                        + " m above the ground: an obstacle that hides a drone may be missed if it is smaller than"
+                        + " a cell.",
                 "Only the drone '" + plan.drone() + "' flies, within its limits on climb, descent and turns; sensors on"
                         + " positioners "
                         + (plan.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."),
-                "Sensors count as independent, which they are not where they look past the same obstacle.");
+                "Sensors are assumed to be independent; they are not where they look past the same obstacle.");
     }
 }

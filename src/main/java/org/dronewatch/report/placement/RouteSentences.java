@@ -101,7 +101,7 @@ final class RouteSentences {
                 + (best.affordable() == 1 ? " detects" : " detect") + " the drone" + probability
                 + ": there, gaps can be closed. Detecting it from the "
                 + directions(least, exposure -> exposure == 0.0)
-                + " takes candidates of other kinds or at other places.");
+                + " requires candidates of other kinds or at other positions.");
     }
 
     private static String sentence(String words) {

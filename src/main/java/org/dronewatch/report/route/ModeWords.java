@@ -39,7 +39,7 @@ final class ModeWords {
                         ? ""
                         : isAlwaysSlow ? ", at " + speeds : "; it may slow down to " + speeds + " at any time")
                 + (survey.modes().stream().anyMatch(RouteMode::isGlide)
-                        ? ", and may stop its motors once to glide on"
+                        ? ", and may stop its motors once and then glide"
                         : "");
     }
 

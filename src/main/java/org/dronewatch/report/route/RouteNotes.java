@@ -182,9 +182,9 @@ final class RouteNotes {
     private Optional<String> searching(RouteResults results) {
         return inputs.isCued() && !results.proofs().isEmpty()
                 ? Optional.of(
-                        "In the flights that are compared with 'predicted', positioners only search, so these flights say"
-                                + " nothing about the probabilities listed for the routes, for which positioners count"
-                                + " as cued.")
+                        "In the flights that are compared with 'predicted', positioners only search. These flights"
+                                + " therefore say nothing about the probabilities listed for the routes, which assume"
+                                + " that positioners are cued.")
                 : Optional.empty();
     }
 }

@@ -223,8 +223,8 @@ final class RouteReport {
         items.add("The area searched is " + number(inputs.grid().side()) + " m by "
                 + number(inputs.grid().side())
                 + " m, " + inputs.cellsInWords()
-                + ". Routes avoid everything solid, but what hides a drone and is smaller than a cell may"
-                + " be missed.");
+                + ". Routes avoid everything solid, but an obstacle that hides a drone may be missed if it is"
+                + " smaller than a cell.");
         items.add("Routes begin "
                 + inputs.launch().map(area -> "in the area " + area).orElse("anywhere on the edge of that area") + ".");
         items.add("Only the drone '" + inputs.drone() + "' flies, within its limits on climb, descent and turns"
@@ -234,7 +234,7 @@ final class RouteReport {
         inputs.stopped()
                 .ifPresent(share -> items.add("The response is not simulated; it is assumed to stop the drone in "
                         + RouteNumbers.percent(share) + " of the cases in which the alert is in time."));
-        items.add("Sensors count as independent, which they are not where they look past the same obstacle.");
+        items.add("Sensors are assumed to be independent; they are not where they look past the same obstacle.");
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());
         items.addAll(stage.credits());

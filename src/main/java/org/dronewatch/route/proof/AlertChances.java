@@ -16,8 +16,8 @@ import org.dronewatch.sensor.Chance;
 /**
  * The times at which a flight may raise its alert, and the probability of each.
  *
- * @param times of looks, ascending, s
- * @param probabilities that the alert is raised at each of them
+ * @param times times of the looks, ascending, s
+ * @param probabilities probability that the alert is raised at each of these times
  */
 record AlertChances(List<Double> times, List<Double> probabilities) {
     AlertChances {
@@ -55,7 +55,7 @@ record AlertChances(List<Double> times, List<Double> probabilities) {
     /**
      * The probability that an alert is raised in time: what is left of the flight after it is one task.
      *
-     * @param end of the flight, s since the start of the run
+     * @param end end of the flight, s since the start of the run
      */
     double inTime(double end, ResponseTime response) {
         return IntStream.range(0, times.size())

@@ -4,10 +4,10 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.world.World;
 
 /**
- * A route as it is flown from one of several moments on.
+ * A route as it is flown if it begins at one of several moments.
  *
- * @param settings of the scene in which the drone begins it then
- * @param world of the scene
+ * @param settings settings of the scene in which the drone begins the route at that moment
+ * @param world the scene's world
  * @param schedule the looks at the drone
  */
 record BegunFlight(SceneSettings settings, World world, LookSchedule schedule) {

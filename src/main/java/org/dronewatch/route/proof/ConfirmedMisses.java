@@ -24,7 +24,7 @@ final class ConfirmedMisses {
     /**
      * Takes another look.
      *
-     * @param probability that it detects the drone
+     * @param probability probability that this look detects the drone
      * @return the probability that the contact has not been confirmed up to then
      */
     double after(double probability) {

@@ -22,16 +22,18 @@ final class EncounterMisses {
     /** By node, the sum over the intervals below it of their width times the probability of a miss. */
     private final double[] sums;
 
-    /** By node, what its intervals have been multiplied by together; already in its own sum. */
+    /**
+     * By node, the factor by which all of its intervals have been multiplied; already included in the node's own sum.
+     */
     private final double[] factors;
 
-    /** The highest probability of a look at the route so far. */
+    /** The highest probability so far of a look after the route has begun. */
     private double highest;
 
     /**
      * An encounter before its first look.
      *
-     * @param looks of the encounter, in order of time
+     * @param looks looks of the encounter, in order of time
      * @param rate looks per second of the sensor, Hz
      */
     EncounterMisses(List<ScheduledLook> looks, double rate) {
@@ -69,8 +71,8 @@ final class EncounterMisses {
     }
 
     /**
-     * Takes a look at the drone before its route begins. An observer who finds it then detects it in the first look at
-     * the route in which that observer could.
+     * Takes a look at the drone before its route begins. An observer who finds it at this time detects it in the first
+     * look after the route has begun in which that observer could.
      */
     void takeBefore(ScheduledLook look) {
         take(look);

@@ -16,8 +16,9 @@ import org.dronewatch.world.World;
 /** Assesses looks, and repeats this with other rays where the result depends on them. */
 final class LookEstimates {
     /**
-     * The least number of estimates of such a level, unless one of each look is enough. They are counted: rare rays
-     * make levels so skewed that a normal distribution of the same mean and deviation is off by ten points.
+     * The least number of estimates of a level that depends on its rays, unless one estimate of each look is enough.
+     * They are counted: rare rays make levels so skewed that a normal distribution of the same mean and deviation is
+     * off by ten points.
      */
     private static final int LEVELS = 64;
 
@@ -28,7 +29,7 @@ final class LookEstimates {
     private final List<SensorSettings<?>> sensors;
     private final World world;
 
-    /** Some estimates of one look, beginning with that of a number. */
+    /** Some estimates of one look, beginning with the one of a given number. */
     private record Part(int look, int first, int count) {}
 
     LookEstimates(List<String> names, List<SensorSettings<?>> sensors, World world) {
@@ -58,7 +59,7 @@ final class LookEstimates {
     /**
      * Repeats the assessment of looks that depend on their rays, on the {@link Workers} of the calling thread.
      *
-     * @param counts by look, the number of estimates that there must be at least
+     * @param counts for each look, the minimum number of estimates
      */
     List<ScheduledLook> more(List<ScheduledLook> looks, int[] counts) {
         List<Part> parts = new ArrayList<>();
@@ -89,7 +90,7 @@ final class LookEstimates {
         return new Assessor[sensors.size()];
     }
 
-    /** The first with the rays of the look itself, the others with those of other seeds. */
+    /** Makes an estimate: the first one with the rays of the look itself, the others with those of other seeds. */
     private Assessment assess(Assessor[] assessors, ScheduledLook look, int estimate) {
         int sensor = look.number();
         if (assessors[sensor] == null) {

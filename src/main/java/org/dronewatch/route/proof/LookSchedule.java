@@ -34,8 +34,8 @@ final class LookSchedule {
     /**
      * Looks that have been assessed.
      *
-     * @param sensors in the order of the scene
-     * @param looks in order of time
+     * @param sensors settings of the sensors, in the order of the scene
+     * @param looks the looks, in order of time
      * @param begin when the route begins, s since the start of the run
      */
     LookSchedule(List<SensorSettings<?>> sensors, List<ScheduledLook> looks, double begin) {
@@ -47,8 +47,8 @@ final class LookSchedule {
     /**
      * Assesses all looks, on the {@link Workers} of the calling thread.
      *
-     * @param settings of a scene with one drone, {@linkplain RouteScene#withoutCues without cues}
-     * @param stage of the same scene
+     * @param settings settings of a scene with one drone, {@linkplain RouteScene#withoutCues without cues}
+     * @param stage stage of the same scene
      * @param count number of estimates of a look; see {@link LookEstimates#of}
      */
     static LookSchedule of(SceneSettings settings, Stage stage, int count) {
@@ -87,9 +87,9 @@ final class LookSchedule {
     /**
      * This schedule with more estimates, on the {@link Workers} of the calling thread.
      *
-     * @param settings of the same scene
-     * @param world of the scene
-     * @param counts by look, the number of estimates that there must be at least
+     * @param settings settings of the same scene
+     * @param world world of the scene
+     * @param counts for each look, the minimum number of estimates
      */
     LookSchedule withEstimates(SceneSettings settings, World world, int[] counts) {
         List<String> names = List.copyOf(settings.enabledSensors().keySet());

@@ -4,10 +4,10 @@ import java.util.List;
 import org.dronewatch.sensor.Chance;
 
 /**
- * By how much the probability that a drone is detected on a flight changes with that of each look: the derivative, the
- * probability that all others miss it.
+ * By how much the probability that a drone is detected on a flight changes with that of each look: the derivative,
+ * which is the probability that all other looks miss the drone.
  *
- * @param each by look, in the order of the schedule; 0 for looks that do not matter
+ * @param each weight of each look, in the order of the schedule; 0 for looks that do not matter
  * @param detection the probability that the drone is detected
  */
 record LookWeights(double[] each, double detection) {

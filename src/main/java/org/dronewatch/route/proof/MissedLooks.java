@@ -30,7 +30,7 @@ final class MissedLooks {
     /**
      * The probability that none of the looks of a sensor detects the drone.
      *
-     * @param looks in order of time
+     * @param looks the looks, in order of time
      */
     static double probability(List<ScheduledLook> looks, SensorSettings<?> sensor, Wait wait) {
         double[] after = afterEach(looks, sensor, wait);
@@ -40,7 +40,7 @@ final class MissedLooks {
     /**
      * For each look, the probability that neither it nor any before it detects the drone.
      *
-     * @param looks in order of time
+     * @param looks the looks, in order of time
      * @param wait whether an observer sees the drone while it waits; no difference for other sensors
      */
     static double[] afterEach(List<ScheduledLook> looks, SensorSettings<?> sensor, Wait wait) {

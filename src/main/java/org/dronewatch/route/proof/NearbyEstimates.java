@@ -13,13 +13,13 @@ import java.util.stream.Stream;
  * route has detected the drone, one of them might well have. Immutable.
  */
 final class NearbyEstimates {
-    /** As many looks before and after one count as its neighbours, by time. */
+    /** The number of looks before and after a look that count as its neighbours, by time. */
     private static final double NEIGHBOURS = 3.0;
 
-    /** Of times, s. */
+    /** Tolerance for rounding errors of times, s. */
     private static final double ROUNDING = 1e-9;
 
-    /** The estimates of one sensor's looks by the time on the route, with sums of all up to each. */
+    /** The estimates of one sensor's looks by the time on the route, with the sums over all estimates before each. */
     private record Sums(double[] times, double[] sums, double[] counts) {
         static Sums of(List<Look> looks) {
             List<Look> sorted = looks.stream()
@@ -47,7 +47,7 @@ final class NearbyEstimates {
             return (sums[end] - sums[first]) / (counts[end] - counts[first]);
         }
 
-        /** The mean of all if one of their traces detected the drone. */
+        /** The mean of all these estimates if a single one of their traces detected the drone. */
         double least() {
             return RayEstimate.ofOneTrace(counts[times.length]);
         }
@@ -61,7 +61,7 @@ final class NearbyEstimates {
     /**
      * The estimates of all looks that depend on their rays, except levels.
      *
-     * @param flights of the same route from each of the moments at which it begins
+     * @param flights flights of the same route from each of the moments at which it begins
      */
     NearbyEstimates(List<BegunFlight> flights) {
         List<Look> looks = flights.stream()
@@ -87,8 +87,8 @@ final class NearbyEstimates {
      * The variance of one estimate of a look, as its own estimates show it or, if it is higher, those of its neighbours
      * and its own together.
      *
-     * @param flight from one of the moments at which the route begins
-     * @param number of the look in its schedule
+     * @param flight flight from one of the moments at which the route begins
+     * @param number number of the look in the flight's schedule
      */
     double variance(BegunFlight flight, int number) {
         LookSchedule schedule = flight.schedule();
@@ -107,8 +107,8 @@ final class NearbyEstimates {
      * The variance of one estimate of a look, as {@link #variance}, but no lower than if one of all the sensor's traces
      * along the route had detected the drone.
      *
-     * @param flight from one of the moments at which the route begins
-     * @param number of the look in its schedule
+     * @param flight flight from one of the moments at which the route begins
+     * @param number number of the look in the flight's schedule
      */
     double cautiousVariance(BegunFlight flight, int number) {
         ScheduledLook look = flight.schedule().looks().get(number);

@@ -22,7 +22,7 @@ final class PlainFlight {
     /**
      * A flight.
      *
-     * @param settings of a scene with one drone
+     * @param settings settings of a scene with one drone
      */
     PlainFlight(SceneSettings settings, ModelCache models) {
         this.settings = settings;

@@ -30,7 +30,7 @@ final class ProofEstimates {
 
     private final NearbyEstimates nearby;
 
-    /** By flight and look, the number of estimates that there should be next. */
+    /** By flight and look, the number of estimates to be reached next. */
     private final List<int[]> counts = new ArrayList<>();
 
     private ProofEstimates(List<BegunFlight> flights, int runs) {
@@ -45,7 +45,7 @@ final class ProofEstimates {
     /**
      * Flights with enough estimates, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
-     * @param flights of the same route from each of the moments at which it begins
+     * @param flights flights of the same route from each of the moments at which it begins
      * @param runs number of runs with which they are compared
      */
     static List<BegunFlight> enough(List<BegunFlight> flights, int runs) {
@@ -60,7 +60,7 @@ final class ProofEstimates {
      * The standard error of a predicted probability, because looks along the flights are estimated with random rays.
      * Where they show no detection at all, more estimates would take longer than the runs: then the error counts.
      *
-     * @param flights of the same route from each of the moments at which it begins
+     * @param flights flights of the same route from each of the moments at which it begins
      * @param left the time that must be left for a detection to count, s
      */
     static double error(List<BegunFlight> flights, double left) {
@@ -92,7 +92,7 @@ final class ProofEstimates {
     }
 
     /**
-     * Raises the numbers to those that one probability takes.
+     * Raises the numbers of estimates to those that one probability requires.
      *
      * @param left the time that must be left for a detection to count, s
      */

@@ -15,7 +15,9 @@ import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.Observation;
 import org.dronewatch.statistics.Proportion;
 
-/** Runs of a route with many seeds, of which some are repeated as plain runs, and what they should give. */
+/**
+ * Runs of a route with many seeds, some of which are repeated as plain runs, and the results that are to be expected.
+ */
 final class ProofRuns {
     private final List<BegunFlight> flights;
     private final ModelCache models;
@@ -23,7 +25,7 @@ final class ProofRuns {
     /**
      * Runs.
      *
-     * @param flights of the same route from each of the moments at which it begins: the runs take them in turn
+     * @param flights flights of the same route from each of the moments at which it begins: the runs take them in turn
      */
     ProofRuns(List<BegunFlight> flights, ModelCache models) {
         this.flights = List.copyOf(flights);
@@ -31,7 +33,7 @@ final class ProofRuns {
     }
 
     /**
-     * Flies them; see {@link FlownRoute#prove}.
+     * Flies the route; see {@link FlownRoute#prove}.
      *
      * @param bySensor the predictions by sensor
      */
@@ -78,7 +80,7 @@ final class ProofRuns {
     }
 
     /**
-     * The runs in which something came true, with the mean probability. The first moments have one run more than the
+     * The runs in which an event occurred, with its mean probability. The first moments have one run more than the
      * others if the number of runs is not a multiple of that of the moments.
      *
      * @param left the time that must be left for a detection to count, s

@@ -16,12 +16,12 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
     private static final double STANDARD_ERRORS = 8.0;
 
     /**
-     * So does a level at most this far from it, dB, if it depends on random rays at all: a rare ray that arrives in one
+     * So may a level at most this far from it, dB, if it depends on random rays at all: a rare ray that arrives in one
      * look of a thousand raises the level by more than the standard errors that other looks state.
      */
     private static final double RARE_RAY = 0.5;
 
-    /** The number of traces in one estimate by the level model, of which each detects the drone or not. */
+    /** The number of traces in one estimate by the level model, each of which either detects the drone or does not. */
     private static final double TRACES = 32.0;
 
     /** A probability that depends on no random rays. */
@@ -65,8 +65,8 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
     }
 
     /**
-     * The probability that a level is on the other side of the threshold if none of the estimates is: what follows by
-     * Laplace's rule of succession, or less if the levels are far from the threshold. Rare rays make them so skewed
+     * The probability that a level is on the other side of the threshold if none of the estimates is: the value given
+     * by Laplace's rule of succession, or less if the levels are far from the threshold. Rare rays make them so skewed
      * that their tail is about exponential, not normal.
      */
     private double other() {
@@ -83,7 +83,7 @@ record RayEstimate(int count, double sum, double margins, double squares, boolea
         return !isRandom() ? 0.0 : isLevel ? probability * (1.0 - probability) : ofTraces(probability);
     }
 
-    /** The variance of one estimate by the level model of a probability. */
+    /** The variance of one estimate of a probability by the level model. */
     static double ofTraces(double probability) {
         return probability * (1.0 - probability) / TRACES;
     }

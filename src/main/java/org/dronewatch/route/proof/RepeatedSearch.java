@@ -34,7 +34,7 @@ public final class RepeatedSearch {
     /** By sector, in the order of the routes. */
     private final Map<Integer, SectorRoute> kept = new LinkedHashMap<>();
 
-    /** The sectors for which routes have been searched for that are least exposed all the way. */
+    /** The sectors from which the routes that are least exposed all the way have been searched for. */
     private final Set<Integer> avoided = new HashSet<>();
 
     /**

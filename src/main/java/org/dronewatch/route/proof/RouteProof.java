@@ -66,7 +66,7 @@ public record RouteProof(
     }
 
     /**
-     * Whether a run is repeated as a plain run: one in each {@link #PLAIN} runs, each time one place later among
+     * Whether a run is repeated as a plain run: one in each {@link #PLAIN} runs, each time one position later among
      * them, so that all moments at which a route begins have their turn.
      */
     static boolean isPlain(int run) {

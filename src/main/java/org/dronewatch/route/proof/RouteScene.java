@@ -29,10 +29,11 @@ public final class RouteScene {
     }
 
     /**
-     * A scene with its route begun later: the drone waits where it begins, which does not count for its endurance.
+     * A scene in which the route begins later: the drone waits where the route begins, which does not count towards its
+     * endurance.
      *
-     * @param scene with one drone
-     * @param delay in addition, s
+     * @param scene a scene with one drone
+     * @param delay additional delay, s
      * @throws IllegalArgumentException if the drone does not fly a {@link RouteFlight}
      */
     static SceneSettings later(SceneSettings scene, double delay) {

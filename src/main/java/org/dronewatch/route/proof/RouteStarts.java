@@ -34,7 +34,7 @@ public final class RouteStarts {
     /** Between two looks this far apart or less, a drone hardly moves, s. */
     private static final double SHORT = 0.1;
 
-    /** The number of ways to move the moments within their intervals of which the best one is taken. */
+    /** The number of ways that are tried to shift the moments within their intervals; the best one is taken. */
     private static final int WAYS = 64;
 
     private RouteStarts() {}

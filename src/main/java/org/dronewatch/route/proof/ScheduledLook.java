@@ -6,10 +6,10 @@ import org.dronewatch.sensor.Look;
 /**
  * A look that a run takes at a drone, before any random decision.
  *
- * @param number of the sensor in the order of the scene
- * @param look with the time and the pointing, and with any seed
- * @param drone as it appears to the sensor
- * @param estimate the probability that the look detects it or, where chance is drawn once per encounter, that an
+ * @param number number of the sensor in the order of the scene
+ * @param look the look, with its time and pointing, and with any seed
+ * @param drone the drone as it appears to the sensor
+ * @param estimate the probability that the look detects the drone or, where chance is drawn once per encounter, that an
  *     observer can
  * @param counts whether the drone is on the route; before, it waits where the route begins
  */

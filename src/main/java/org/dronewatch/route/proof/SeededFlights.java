@@ -15,9 +15,9 @@ import org.dronewatch.sensor.SensorSettings;
 import org.dronewatch.world.World;
 
 /**
- * Runs of a schedule of looks with other seeds, only up to the first detection on the route, or the alert, and only
- * those looks that can detect the drone. Each of these is the look of a run with the same seed. Scratch memory of one
- * thread.
+ * Replays a schedule of looks with other seeds: only up to the first detection on the route, or the alert, and only
+ * those looks that can detect the drone. Each of these looks is that of a run with the same seed. Holds the scratch
+ * memory of one thread.
  */
 final class SeededFlights {
     private final LookSchedule schedule;

@@ -8,9 +8,9 @@ import org.dronewatch.scenario.SceneSettings;
 
 /**
  * Whether the cells of a search are small enough for its site. {@linkplain FieldSample Places} between the centres of
- * the cells are tried. A place counts as unseen if no sensor detects the drone there in one of its modes of flight,
- * although sensors detect the drone in this mode in every cell around the place, so that even the lower bound on the
- * exposure assumes a detection there. A passage that is narrower than a cell may lead to such a place.
+ * the cells are tried. A place counts as unseen if there is a mode of flight in which no sensor detects the drone
+ * there, although in this mode sensors detect the drone in every cell around the place, so that even the lower bound on
+ * the exposure assumes a detection there. A passage that is narrower than a cell may lead to such a place.
  *
  * @param tried number of places at which the drone can be
  * @param unseen number of these places at which, in some mode, no sensor detects the drone, but the lower bound assumes

@@ -5,21 +5,21 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /**
- * A lower bound of the exposure of all routes that are hardly longer than the straight line. A route of at most a
- * given length from one point to another stays inside the prolate spheroid that has them as foci. It crosses each
- * slab at right angles to the straight line, and is in it at least as long as the slab is thick, so that its
- * exposure is at least the sum, over the slabs, of the thickness times the least exposure per metre in slab and
- * spheroid. Routes that begin, or end, within a ball are those from, or to, its centre, with its radius added to
- * their length. The shorter the detour that the length allows, the tighter the bound.
+ * A lower bound of the exposure of all routes that are hardly longer than the straight line. A route of at most a given
+ * length from one point to another stays inside the prolate spheroid that has them as foci. The route crosses each slab
+ * that is perpendicular to the straight line, and its length inside the slab is at least the slab's thickness, so that
+ * its exposure is at least the sum, over the slabs, of the thickness times the least exposure per metre in slab and
+ * spheroid. Routes that begin, or end, within a ball are those from, or to, its centre, with its radius added to their
+ * length. The shorter the detour that the length allows, the tighter the bound.
  */
 final class CorridorBound {
-    /** Slabs are as thick as this part of the distance between nodes, or a little thinner. */
+    /** The thickness of slabs as a fraction of the distance between nodes; they may be a little thinner. */
     private static final double THICKNESS = 0.5;
 
-    /** In a corridor wider than this part of its length, the dual bound of {@link EnduranceLimit} is better. */
+    /** In a corridor wider than this fraction of its length, the dual bound of {@link EnduranceLimit} is better. */
     private static final double WIDEST = 0.1;
 
-    /** Against rounding of lengths: the spheroid is this much too long. */
+    /** Against rounding of lengths: the spheroid is too long by this factor. */
     private static final double SAFETY = 1.0 + 1e-12;
 
     private final RouteProblem problem;
@@ -45,7 +45,7 @@ final class CorridorBound {
         this.radius = Math.sqrt(Math.max(0.0, half * half - focus * focus));
     }
 
-    /** The bound; 0 if the length allows so long a detour that it would say little. */
+    /** The bound; 0 if the length allows so long a detour that the bound would say little. */
     double exposure() {
         double distance = start.center().distance(end.center());
         if (radius > WIDEST * distance) {

@@ -66,7 +66,7 @@ final class CubeSlopes {
         return squares[cube] == Double.POSITIVE_INFINITY;
     }
 
-    /** The least exposure per metre in a cube, in the coordinates above. */
+    /** The least exposure per metre in a cube, in these coordinates. */
     private double slope(RouteProblem problem, int cube) {
         int column = cube % columns;
         int row = cube / columns % rows;

@@ -70,7 +70,7 @@ final class Eikonal {
     }
 
     /**
-     * Whether the steepest descent from a corner leads into the simplex of it and a face: along the path, the
+     * Whether the steepest descent from a corner leads into the simplex of that corner and a face: along the path, the
      * components of the gradient ascend from 0 up to the corner, and to 0 behind it.
      */
     private boolean isInside(int corner, int face, double value) {

@@ -18,7 +18,7 @@ import org.dronewatch.geometry.Position;
  * use by one thread at a time.
  */
 public final class EnduranceLimit {
-    /** The exposure for which the whole time counts at the first price. */
+    /** At the first price, the whole of the time allowed counts as this exposure. */
     private static final double FIRST = 0.1;
 
     private static final double FACTOR = 4.0;
@@ -123,7 +123,7 @@ public final class EnduranceLimit {
         return found;
     }
 
-    /** Tries the weakest route at a price; whether it is short enough without being hastened. */
+    /** Tries the weakest route at a price; returns whether it is short enough without being hastened. */
     private boolean tryRoutes(Priced priced, BitSet starts) {
         priced.bound().ifPresent(bound -> lower = Math.max(lower, bound.from(starts) - priced.price() * seconds));
         Optional<WeakestRoute> found = priced.routes().from(starts);
@@ -170,7 +170,7 @@ public final class EnduranceLimit {
     /**
      * A search at a price.
      *
-     * @param price of time, 1/s
+     * @param price price of time, 1/s
      * @param routes the weakest routes at this price
      * @param bound the lower bound on the exposure and the price of all routes; empty where it does not help
      */

@@ -6,9 +6,9 @@ import org.dronewatch.parallel.Workers;
 
 /**
  * A certified lower bound of the exposure of all routes to the goals, not only of those over nodes. A function of the
- * place that is 0 at the goals, and whose gradient nowhere exceeds the least exposure per metre, is such a bound, since
- * along any route it falls by no more than the exposure. Here it is linear on the simplices of {@link CubePaths}, in
- * coordinates in which the third is the height above the ground, and the least exposure is that of a whole cube, all
+ * position that is 0 at the goals, and whose gradient nowhere exceeds the least exposure per metre, is such a bound,
+ * since along any route it falls by no more than the exposure. Here it is linear on the simplices of {@link CubePaths},
+ * in coordinates in which the third is the height above the ground, and the least exposure is that of a whole cube, all
  * headings and all modes; limits on turns and climbs are left out, which only lowers the bound.
  *
  * <p>Gauss-Seidel sweeps in all orders (H. Zhao, Mathematics of Computation 74, 2005) give the function up to small
@@ -76,7 +76,7 @@ final class ExposureBound {
         }
     }
 
-    /** One pass over all active cubes; gives whether there was one. */
+    /** One pass over all active cubes; returns whether there was one. */
     private boolean sweep(int direction) {
         boolean isChanged = false;
         for (int k = 0; k < cubes.levels(); k++) {

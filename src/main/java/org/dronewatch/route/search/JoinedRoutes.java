@@ -43,7 +43,7 @@ public final class JoinedRoutes {
         return List.copyOf(joined.routes);
     }
 
-    /** Replaces each route by a detour to any of them, however far away, where that is less exposed. */
+    /** Replaces each route with a detour to any of the routes, however far away, where that is less exposed. */
     private void takeDetours(List<BitSet> starts, Predicate<WeakestRoute> isAllowed) {
         List<RoutePath> counted =
                 routes.stream().map(route -> search.counted(route.path())).toList();
@@ -81,7 +81,7 @@ public final class JoinedRoutes {
         }
     }
 
-    /** The less exposed one of a route and those that begin like it, but then join a less exposed one. */
+    /** The least exposed of a route and those that begin like it, but then join a less exposed one. */
     private WeakestRoute joinedNearby(WeakestRoute own) {
         RoutePath counted = search.counted(own.path());
         Optional<RoutePath> head = Optional.empty();

@@ -13,7 +13,7 @@ final class LastLeg {
     private static final double FIRST = 0.2;
     private static final double SMALLEST = 1e-4;
 
-    /** How much farther than the leg a zone is looked for, in nodes. */
+    /** How far beyond the end of the leg a zone is looked for, in distances between nodes. */
     private static final double BEYOND = 10.0;
 
     /** Two positions that are no farther apart in plan view have no bearing, m. */
@@ -56,7 +56,7 @@ final class LastLeg {
         return new RoutePath(points, path.modes());
     }
 
-    /** The point before the leg's first; that one again if there is none. */
+    /** The point before the beginning of the last leg; the beginning itself if there is none before it. */
     private Position corner(RoutePath path) {
         int legs = path.modes().size();
         return legs > 1 ? path.points().get(legs - 2) : before;

@@ -31,7 +31,7 @@ final class LegLimits {
     }
 
     /**
-     * Whether the corner between two legs can be rounded with the radius of a turn, if each lends half its length.
+     * Whether the corner between two legs can be rounded with the radius of a turn, if each provides half its length.
      *
      * @param inX horizontal components of the first leg, and then of the second, m
      */

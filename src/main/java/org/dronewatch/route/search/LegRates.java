@@ -176,7 +176,7 @@ final class LegRates {
         /**
          * The mean along a leg. Nodes whose value is infinite contribute nothing, and the others proportionally more.
          *
-         * @param values by node
+         * @param values the value at each node
          * @param from node at which the leg begins
          * @return the mean, finite; infinite if the values of all nodes are
          */
@@ -196,7 +196,7 @@ final class LegRates {
         /**
          * Whether the values of all nodes that a leg passes are finite.
          *
-         * @param values by node
+         * @param values the value at each node
          * @param from node at which the leg begins
          */
         boolean isOpen(float[] values, int from) {

@@ -2,11 +2,11 @@ package org.dronewatch.route.search;
 
 /**
  * How legs over the nodes of a grid turn where turns need room: each leg is long enough for a turn by {@link #ROOM} or,
- * where directions are farther apart, into the next one, and may turn as far as it and the other leg are long. As
- * {@linkplain LegLimits#isTurnable for any route}, a turn takes up half a leg at most. Immutable.
+ * where directions are farther apart, into the next one, and may turn as far as its own length and that of the other
+ * leg allow. As {@linkplain LegLimits#isTurnable for any route}, a turn takes up half a leg at most. Immutable.
  */
 final class LegTurns {
-    /** Between the directions of a knight's moves to either side of an axis lie twice this angle, rad. */
+    /** Half the angle between the directions of the two knight's moves on either side of an axis, rad. */
     private static final double ROOM = Math.atan(0.5);
 
     private static final double ROUNDING = 1e-9;
@@ -41,7 +41,7 @@ final class LegTurns {
         }
     }
 
-    /** How often a leg repeats the step of its direction at least. */
+    /** The least number of times that a leg repeats the step of its direction. */
     int repeats(int direction) {
         return repeats[direction];
     }

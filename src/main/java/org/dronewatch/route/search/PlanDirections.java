@@ -12,7 +12,7 @@ import java.util.stream.Stream;
  * {@link #stretch()}.
  */
 public final class PlanDirections {
-    /** Steps in one octant by the number of all directions, without those along an axis and a diagonal. */
+    /** The steps in one octant, without those along the axis and the diagonal, by the total number of directions. */
     private static final Map<Integer, int[][]> STEPS = Map.of(
             8, new int[][] {}, 16, new int[][] {{2, 1}}, 32, new int[][] {{3, 1}, {2, 1}, {3, 2}}, 48, new int[][] {
                 {6, 1}, {3, 1}, {2, 1}, {3, 2}, {5, 4}
@@ -61,12 +61,12 @@ public final class PlanDirections {
         return steps.length;
     }
 
-    /** Nodes to the east. */
+    /** The number of nodes by which a step leads to the east. */
     int east(int direction) {
         return steps[direction][0];
     }
 
-    /** Nodes to the north. */
+    /** The number of nodes by which a step leads to the north. */
     int north(int direction) {
         return steps[direction][1];
     }

@@ -9,10 +9,10 @@ import java.util.concurrent.CancellationException;
 import org.dronewatch.geometry.Position;
 
 /**
- * The least exposed paths over the nodes, from anywhere, to routes that are known already and are then followed. What
- * a leg over the nodes is exposed to is not quite what a smoothed route is exposed to, and smoothing only improves a
- * route bit by bit: therefore the weakest route may begin with a long detour to a route from another side, and be
- * found in no other way. Immutable and thread-safe.
+ * The least exposed paths over the nodes, from anywhere, to routes that are known already and are then followed. The
+ * exposure of legs over the nodes is not quite that of a smoothed route, and smoothing improves a route only bit by
+ * bit: therefore the weakest route may begin with a long detour to a route from another side, and may not be found in
+ * any other way. Immutable and thread-safe.
  */
 final class RouteDetours {
     private final Map<Integer, Entry> entries = new TreeMap<>();
@@ -22,7 +22,7 @@ final class RouteDetours {
      * Where a path joins a known route.
      *
      * @param route which of them
-     * @param exposure from there on
+     * @param exposure exposure from there on
      */
     private record Entry(int route, double exposure) {}
 

@@ -68,8 +68,8 @@ final class RouteEdges {
     }
 
     /**
-     * How often a leg repeats the step of its direction: as often as its turns need, for a glide to the level below as
-     * far as it carries, and under power as far as the least speed requires, over level ground.
+     * How often a leg repeats the step of its direction: as often as its turns need; for a glide to the level below, as
+     * far as the glide carries; and under power, as far as the least speed requires, over level ground.
      *
      * @param level at which the leg begins
      */
@@ -86,7 +86,7 @@ final class RouteEdges {
      *
      * @param from node at which it begins; its end is inside the grid
      * @param repeats how often it repeats the step of its direction
-     * @param climb by how many levels it changes
+     * @param climb the number of levels by which the leg changes
      */
     double cost(int mode, int direction, int from, int repeats, int climb) {
         int plane = grid.columns() * grid.rows();
@@ -132,7 +132,8 @@ final class RouteEdges {
     /**
      * Whether a drone can be at the ends of a leg that climbs or descends, and at the nodes that it passes.
      *
-     * @param between those that it would pass if it were level, relative to its beginning, and this itself
+     * @param between the nodes that the leg would pass if it were level, including its beginning, all relative to its
+     *     beginning
      */
     private boolean isOpen(int from, int to, int[] between, int climb) {
         int rise = climb * grid.columns() * grid.rows();

@@ -12,7 +12,9 @@ final class RouteFinish {
     /** How far inside the edge of a zone a route ends, so that rounding leaves it inside, m. */
     private static final double INSIDE = 0.05;
 
-    /** Each shortening brings forward the moment from which the drone hurries; it soon hardly moves. */
+    /**
+     * Each shortening brings forward the moment from which the drone hurries; after a few, this moment hardly moves.
+     */
     private static final int ROUNDS = 8;
 
     /** A shortening by less is the last one, s. */

@@ -183,7 +183,10 @@ public final class RouteGrid {
                 + v * ((1.0 - u) * ground[at + columns] + u * ground[at + columns + 1]);
     }
 
-    /** The greatest slope of the ground between the four nodes of a square of which one is south-west, 0 or more. */
+    /**
+     * The greatest slope of the ground between the four nodes of a square whose south-western node is in the given
+     * column and row, 0 or more.
+     */
     double slope(int column, int row) {
         int at = row * columns + column;
         double east = Math.max(

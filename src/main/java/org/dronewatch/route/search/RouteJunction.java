@@ -62,7 +62,7 @@ final class RouteJunction {
         return best;
     }
 
-    /** All whose rest is less exposed than a route, the least exposed first. */
+    /** All junctions whose rest is less exposed than a limit, the least exposed first. */
     private List<Junction> junctions(RoutePath own, RoutePath other, double least) {
         List<Junction> junctions = new ArrayList<>();
         double[] before = before(own);

@@ -17,10 +17,10 @@ import org.dronewatch.geometry.Position;
  * @param modes for each leg, the number of the mode in which it is flown
  */
 public record RoutePath(List<Position> points, List<Integer> modes) {
-    /** Of coordinates of a flight in m: as many as in {@code route.json}. */
+    /** Decimal places of the coordinates of a flight in m: as many as in {@code route.json}. */
     private static final int LENGTH_DECIMALS = 6;
 
-    /** Of speeds of a flight in m/s: the time of an hour's leg is exact to a microsecond. */
+    /** Decimal places of the speeds of a flight in m/s: the duration of an hour's leg is exact to a microsecond. */
     private static final int SPEED_DECIMALS = 9;
 
     /**

@@ -84,7 +84,7 @@ public final class RouteSearch {
     /**
      * Searches for routes to states from which what is still to come is known.
      *
-     * @param onwards by state, the exposure from there on
+     * @param onwards for each such state, the exposure from there on
      */
     static RouteTree toStates(RouteProblem problem, Map<Integer, Double> onwards) {
         RouteSearch search = new RouteSearch(problem);

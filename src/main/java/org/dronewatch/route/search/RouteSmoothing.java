@@ -15,7 +15,7 @@ import org.dronewatch.geometry.Position;
 final class RouteSmoothing {
     private static final int ROUNDS = 5;
 
-    /** How much exposure two legs may lose at the beginning, as a fraction. */
+    /** The fraction by which the exposure of two legs may increase when points are left out at the beginning. */
     private static final double COARSE = 0.02;
 
     private static final int SWEEPS = 40;
@@ -152,7 +152,7 @@ final class RouteSmoothing {
     /**
      * Leaves out every point whose neighbours can be joined at no greater exposure.
      *
-     * @param loss the fraction of their exposure that may be lost nevertheless, 0 or more
+     * @param loss the fraction by which the exposure may increase nevertheless, 0 or more
      */
     private void pull(double loss) {
         boolean isShorter = true;

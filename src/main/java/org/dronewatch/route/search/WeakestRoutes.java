@@ -20,15 +20,20 @@ import org.dronewatch.route.exposure.LegMotion;
  * thread-safe.
  */
 public final class WeakestRoutes {
-    /** For this many starts, those with the least exposure over the nodes, the exposure of the path is compared. */
+    /**
+     * The number of starts, those with the least exposure over the nodes, for which the exposures of the paths are
+     * compared.
+     */
     private static final int CANDIDATES = 64;
 
-    /** As many of them, the least exposed, are smoothed, until one of them reaches the lower bound. */
+    /**
+     * The number of these paths, the least exposed ones, that are smoothed, until one of them reaches the lower bound.
+     */
     private static final int SMOOTHED = 8;
 
     /**
      * The least price of time, 1/s, so that of several equally exposed routes the fastest is found. Any route that is
-     * missed because of it is less exposed by at most this price times the time that it takes longer: 3.6e-7 for an
+     * missed because of it is less exposed by at most this price times the additional time that it takes: 3.6e-7 for an
      * hour, less than the 1e-6 by which the probability of a single look is capped. It is still a million times the
      * rounding error of an exposure of 1 per second of flight.
      */
@@ -214,7 +219,7 @@ public final class WeakestRoutes {
     /**
      * A route that has been smoothed.
      *
-     * @param route it and its exposure
+     * @param route the route with its exposure
      * @param priced its exposure with the price of its time
      */
     private record Smoothed(WeakestRoute route, double priced) {}
@@ -233,7 +238,7 @@ public final class WeakestRoutes {
         return priced;
     }
 
-    /** A path whose exposure counts, smoothed if it may turn anywhere, and the rest of the way to its end. */
+    /** A path whose exposure counts, smoothed if it may turn anywhere, and the rest of the route to its end. */
     RoutePath whole(RoutePath path, RoutePath rest) {
         RoutePath head = problem.turnRadius() > 0.0 ? path : RouteSmoothing.of(priced, path);
         return finish.of(head.then(rest));

@@ -13,7 +13,7 @@ import org.dronewatch.sensor.radio.ReflectingGround;
 import org.dronewatch.world.Ground;
 
 /**
- * Warns of sensors and flights where a terrain has no ground: beyond its rim or over a hole nothing hides a drone,
+ * Warns of sensors and flights where a terrain has no ground: beyond its rim or over a hole, nothing hides a drone,
  * because nothing is known there. Also warns if the earth's curvature is applied to ground that is already curved.
  *
  * @param ground the highest surfaces of the world

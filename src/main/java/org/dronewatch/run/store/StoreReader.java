@@ -51,7 +51,7 @@ public final class StoreReader {
         return buffer.getDouble();
     }
 
-    /** The next bytes, preceded by their number. */
+    /** The next bytes, preceded by their count. */
     public byte[] nextBytes() throws IOException {
         byte[] values = new byte[length(1)];
         for (int i = 0; i < values.length; i++) {

@@ -30,7 +30,7 @@ public final class StoreWriter {
         room(Double.BYTES).putDouble(value);
     }
 
-    /** Adds bytes, preceded by their number. */
+    /** Adds bytes, preceded by their count. */
     public void addBytes(byte[] values) throws IOException {
         addInt(values.length);
         for (byte value : values) {

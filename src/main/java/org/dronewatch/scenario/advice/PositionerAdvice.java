@@ -25,7 +25,7 @@ public record PositionerAdvice(SceneSettings scene, String id, PositionerSetting
                 target.accept(String.format(
                         Locale.ROOT,
                         "sensors.%s.positioner.hold %.2g s is less than the %.2g s between looks of '%s', which cues it:"
-                                + " the positioner gives the drone up between cues",
+                                + " the positioner stops following the drone between cues",
                         id,
                         positioner.hold(),
                         interval,

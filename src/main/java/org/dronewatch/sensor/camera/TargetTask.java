@@ -36,8 +36,8 @@ import org.dronewatch.world.Light;
  * @param task the task that the image must support
  * @param probability probability at and above which the task counts as accomplished, above 0 and below 1; not used with
  *     {@code byChance}
- * @param byChance whether detection is drawn at random instead: one draw per encounter determines whether the observer
- *     can perform the task at all, and a capable observer then needs time to find the drone
+ * @param byChance whether detection is random instead: one draw per encounter determines whether the observer can
+ *     perform the task at all, and a capable observer then needs time to find the drone
  * @param contrast contrast of the drone against the sky at close range, above 0 and at most 1: the drone is darker by
  *     this fraction
  * @param groundContrast contrast of the drone against a background other than the sky, above 0 and at most 100; omit it

@@ -25,7 +25,7 @@ public final class DronePicture {
     private final SiteImages images;
     private final boolean isAtRest;
 
-    /** What drew drones in another pose; null for none. */
+    /** The view that drew drones in the previous pose; null if there is none. */
     private DynamicView former;
 
     private World formerWorld;

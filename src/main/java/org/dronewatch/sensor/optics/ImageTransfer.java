@@ -47,8 +47,8 @@ public record ImageTransfer(Lens lens, Turbulence air) {
     }
 
     /**
-     * The highest spatial frequency that a camera resolves, as a fraction u of the Nyquist frequency of its pixels, one
-     * line pair for two pixels. Without blur, a pattern at the fraction u requires the contrast
+     * The highest spatial frequency that a camera resolves, as a fraction u of the Nyquist frequency of its pixels (one
+     * line pair per two pixels). Without blur, a pattern at the fraction u requires the contrast
      * {@code needed / (1 - u)}: a straight line in place of the measured curve of minimum resolvable contrast. Patterns
      * are resolved up to the frequency at which the remaining contrast, {@code seen * transfer}, falls to the required
      * contrast, as when Johnson's criteria are applied with a measured curve (Ratches, "Static performance model for

@@ -6,9 +6,9 @@ import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**
- * The pixels around a drone at a place, or a sample of them: whose rays meet its bounding sphere, where they pass it,
- * and whether the site hides it from them. Reused for many places; allocates only if it needs more memory than before.
- * For use by one thread.
+ * The pixels around a drone at a place, or a sample of them: which pixels' rays meet its bounding sphere, where they
+ * pass it, and whether the site hides it from them. Reused for many places; allocates only if it needs more memory than
+ * before. For use by one thread.
  */
 final class PixelSample {
     static final byte HIDDEN = 1;

@@ -17,7 +17,7 @@ import org.dronewatch.setting.Quantity;
  * @param shiftUp shift upwards, as a fraction of its height, -5 to 5
  * @param near distance of the near plane along the axis, within which nothing is seen, 0 or more and less than far, m
  * @param far distance of the far plane along the axis, beyond which nothing is seen, above near and at most
- *     1,000,000 m, the default, which means no limit
+ *     1,000,000 m; the default, 1,000,000 m, means no limit
  */
 public record Projection(
         @Minor @In(value = Quantity.RATIO, from = -5, to = 5) double shiftRight,

@@ -7,8 +7,8 @@ import org.dronewatch.world.SiteMemory;
 
 /**
  * The distances of a site in the image of one camera, tile by tile as far as they have been traced. Cameras on several
- * threads may share it: whoever needs a tile first traces it, holding a lock, so that no other traces the same.
- * Thread-safe.
+ * threads may share it: the first thread that needs a tile traces it, holding a lock, so that no other thread traces it
+ * too. Thread-safe.
  */
 final class SiteImage implements SiteMemory.Kept {
     private static final int LOCKS = 64;

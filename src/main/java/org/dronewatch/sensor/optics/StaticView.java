@@ -149,7 +149,7 @@ final class StaticView implements Background {
         }
     }
 
-    /** What one thread traces with: also memory for the distances of a block, of which each tile takes its own. */
+    /** What one thread traces with: also memory for the distances of a block, of which each tile takes a part. */
     private record BlockTracer(TileTracer tracer, float[] distances) {}
 
     private int columns(int left) {

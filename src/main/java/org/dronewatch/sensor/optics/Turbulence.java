@@ -24,8 +24,8 @@ public record Turbulence(double coherenceDiameter, double wavelength) {
     /**
      * The turbulence between a camera and a target. The wave from a point at a finite distance is spherical, so
      * turbulence near the camera has the greatest effect: {@code r0 = (0.423 k^2 integral Cn2 (s/L)^(5/3) ds)^(-3/5)}
-     * with {@code k = 2 pi / wavelength} and the distance s from the point along the path of length L (Fried, Journal
-     * of the Optical Society of America 56, 1372, 1966). With the same Cn2 everywhere, the integral is
+     * where {@code k = 2 pi / wavelength}, and s is the distance from the point along the path of length L (Fried,
+     * Journal of the Optical Society of America 56, 1372, 1966). With the same Cn2 everywhere, the integral is
      * {@code 3/8 Cn2 L}, which gives {@code r0 = (0.159 k^2 Cn2 L)^(-3/5)}.
      *
      * @param structure refractive-index structure constant Cn2, 0 or more, m^(-2/3)

@@ -11,8 +11,8 @@ import org.dronewatch.setting.SettingsForm;
 /**
  * The beam of an antenna, in transmission and in reception: the gain relative to the maximum is
  * {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a in azimuth and e in elevation from its centre,
- * with the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1). The angles are measured in the frame of the
- * beam, as for the antenna of a radio receiver, so the shape of the beam does not depend on its elevation. An array
+ * where A and E are the half-power beamwidths (3GPP TR 38.901, table 7.3-1). The angles are measured in the frame of
+ * the beam, as for the antenna of a radio receiver, so the shape of the beam does not depend on its elevation. An array
  * that steers its beam away from its axis by the angle s has less gain, by the factor {@code cos(s)^scanLoss} (R. J.
  * Mailloux, Phased Array Antenna Handbook).
  *
@@ -56,7 +56,7 @@ public record BeamPattern(
 
     /**
      * A beam with the given half-power beamwidths, rad, steered in both planes, with side lobes 30 dB below the main
-     * lobe (3GPP TR 38.901, table 7.3-1) and a scan loss with the exponent 1.5, which is assumed.
+     * lobe (3GPP TR 38.901, table 7.3-1) and a scan loss with the exponent 1.5 (an assumption).
      */
     @Defaults({"azimuthBeamwidth", "elevationBeamwidth"})
     public static BeamPattern of(double azimuthBeamwidth, double elevationBeamwidth) {

@@ -10,7 +10,7 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * Clutter, the echoes of ground and rain in a drone's resolution cell, which is as wide as the beam and as deep as the
- * range resolution {@code c / (2 B)}, with the speed of light c and the bandwidth B. The residual clutter after the
+ * range resolution {@code c / (2 B)}, where c is the speed of light and B the bandwidth. The residual clutter after the
  * radar's filters is added to the noise.
  *
  * @param ground backscatter of the site's surface
@@ -37,7 +37,7 @@ public record Clutter(
         Limits.check(Clutter.class, ground, improvement, rainImprovement, bandwidth);
     }
 
-    /** Clutter with an improvement factor of 20 dB against rain, which is assumed, and the bandwidth of the budget. */
+    /** Clutter with an improvement factor of 20 dB (an assumption) against rain, and the bandwidth of the budget. */
     @Defaults({"ground", "improvement"})
     public static Clutter of(SurfaceReflectivity ground, double improvement) {
         return new Clutter(ground, improvement, 20.0, Optional.empty());

@@ -24,8 +24,8 @@ public record RadarFalseAlarms(
         @In(value = Quantity.NUMBER, from = 1, to = 1e12) Optional<Double> cells,
         @In(value = Quantity.NUMBER, from = 1, to = 1e6) double gate) {
     /**
-     * Probability and number of cells from the radar's other settings, and a gate of a cell and its neighbours in
-     * range, azimuth and elevation, 27 cells, which is assumed.
+     * Probability and number of cells from the radar's other settings, and an assumed gate of 27 cells: a cell and its
+     * neighbours in range, azimuth and elevation.
      */
     @Defaults
     public static final RadarFalseAlarms DEFAULT = new RadarFalseAlarms(Optional.empty(), Optional.empty(), 27.0);

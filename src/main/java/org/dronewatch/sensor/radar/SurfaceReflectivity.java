@@ -17,8 +17,8 @@ public sealed interface SurfaceReflectivity {
     double crossSection(double frequency, double facing, double cell);
 
     /**
-     * Constant gamma: {@code sigma0 = gamma sin(psi)} with the radar cross-section sigma0 per unit area of the surface,
-     * the grazing angle psi and a gamma that depends on the land cover. The figures hold at 10 GHz and increase with
+     * Constant gamma: {@code sigma0 = gamma sin(psi)}, where sigma0 is the radar cross-section per unit area of the
+     * surface, psi the grazing angle, and gamma depends on the land cover. The figures hold at 10 GHz and increase with
      * the square root of the frequency (D. K. Barton, "Land clutter models for radar design and analysis", Proceedings
      * of the IEEE 73, 1985; as in MathWorks' {@code surfacegamma}).
      *
@@ -74,8 +74,8 @@ public sealed interface SurfaceReflectivity {
     }
 
     /**
-     * Constant gamma: {@code sigma0 = gamma sin(psi)} with the radar cross-section sigma0 per unit area of the surface
-     * and the grazing angle psi.
+     * Constant gamma: {@code sigma0 = gamma sin(psi)}, where sigma0 is the radar cross-section per unit area of the
+     * surface and psi the grazing angle.
      *
      * @param gamma gamma at the radar's frequency, -100 to 30 dB
      */

@@ -9,8 +9,8 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * The pattern of a directional antenna: the gain relative to the maximum is
- * {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a in azimuth and e in elevation from its axis, with
- * the half-power beamwidths A and E (3GPP TR 38.901, table 7.3-1).
+ * {@code -min(12 (a/A)^2 + 12 (e/E)^2, sideLobes)} dB at the angles a in azimuth and e in elevation from its axis,
+ * where A and E are the half-power beamwidths (3GPP TR 38.901, table 7.3-1).
  *
  * @param azimuthBeamwidth horizontal half-power beamwidth A, pi/18000 (0.01 degrees) to 2 pi rad
  * @param elevationBeamwidth vertical half-power beamwidth E, pi/18000 (0.01 degrees) to pi rad

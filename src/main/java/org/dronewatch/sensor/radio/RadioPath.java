@@ -109,7 +109,7 @@ public final class RadioPath {
     }
 
     /**
-     * Loss in free space between isotropic antennas: {@code 20 lg(4 pi d f / c)} with the speed of light c (ITU-R
+     * Loss in free space between isotropic antennas: {@code 20 lg(4 pi d f / c)}, where c is the speed of light (ITU-R
      * P.525).
      *
      * @param distance distance d, above 0, m

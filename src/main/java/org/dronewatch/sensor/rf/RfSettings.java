@@ -270,9 +270,9 @@ public record RfSettings(
     }
 
     /**
-     * Power of the noise at a frequency, dBm: {@code 10 lg(k T0 B (fa + fr - 1) / 1 mW)} with Boltzmann's constant k,
-     * T0 = 290 K, the bandwidth B, the external noise factor fa and the receiver's noise factor fr (ITU-R P.372);
-     * without an environment, the noise of the receiver alone.
+     * Power of the noise at a frequency, dBm: {@code 10 lg(k T0 B (fa + fr - 1) / 1 mW)}, where k is Boltzmann's
+     * constant, T0 = 290 K, B the bandwidth, fa the external noise factor and fr the receiver's noise factor (ITU-R
+     * P.372); without an environment, the noise of the receiver alone.
      *
      * @param frequency the frequency, Hz
      */

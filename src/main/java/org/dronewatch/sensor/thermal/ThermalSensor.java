@@ -36,8 +36,8 @@ import org.dronewatch.world.World;
 /**
  * A thermal camera. Its signal is the drone's apparent temperature difference dT, attenuated by the air and scaled by
  * the fraction of a pixel that the drone fills, divided by the noise (NETD), as a ratio, not in dB:
- * {@code SNR = |dT| t^R f / NETD}, with the transmittance t of one kilometre of air, the range R in kilometres and the
- * filled fraction f. The number of line pairs that it resolves is half the square root of the number of the drone's
+ * {@code SNR = |dT| t^R f / NETD}, where t is the transmittance of one kilometre of air, R the range in kilometres and
+ * f the filled fraction. The number of line pairs that it resolves is half the square root of the number of the drone's
  * pixels, and lower if the signal is weak: {@code N = sqrt(pixels) / 2 * (1 - minSnr / SNR)}. It is lower still where
  * the lens and the air ({@link ImageTransfer#resolved}) or motion ({@link ImageSpeed}) blur the image. With
  * {@link PointTargets}, the drone need not be resolved. Not thread-safe.

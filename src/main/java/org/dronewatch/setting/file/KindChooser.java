@@ -29,7 +29,7 @@ final class KindChooser {
     /**
      * The choice.
      *
-     * @param form of the kind
+     * @param form form of the kind
      * @param parts what is written of it, with what was taken from ready settings
      */
     record Chosen(SettingsForm form, Node.Mapping parts) {}

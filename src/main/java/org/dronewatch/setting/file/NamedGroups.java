@@ -41,7 +41,7 @@ final class NamedGroups {
     /**
      * A mapping without names of systems.
      *
-     * @param type of its values
+     * @param type type of its values
      * @param field path of the mapping
      */
     private Node.Mapping expanded(Class<?> type, Node.Mapping all, String field) {

@@ -18,7 +18,7 @@ final class RejectedParts {
 
     /**
      * @param values those parts of the mapping that could be read, with all that are required
-     * @param path of the record
+     * @param path path of the record
      */
     RejectedParts(Problems problems, SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
         this.problems = problems;

@@ -18,7 +18,7 @@ final class SwitchReader {
         this.problems = problems;
     }
 
-    /** Names of those that are off. */
+    /** Names of the settings that are off. */
     Set<String> off() {
         return off;
     }
@@ -26,7 +26,7 @@ final class SwitchReader {
     /**
      * Settings by name without their switches.
      *
-     * @param path of the settings
+     * @param path path of the settings
      */
     Node.Mapping read(Node.Mapping all, String path) {
         Map<String, Node> rest = new LinkedHashMap<>(all.values());

@@ -16,8 +16,8 @@ import org.dronewatch.sound.OctaveBands;
  * @param sourceHeight height of the source above the plane of the ground, m, 0 or more
  * @param receiverHeight height of the receiver above that plane, m, 0 or more
  * @param unevenness standard deviation s of the ground's height about the plane, m, 0 or more: the coherent fraction of
- *     the reflected wave is {@code exp(-2 (k s cos t)^2)}, with Rayleigh's roughness parameter {@code k s cos t}, the
- *     wavenumber k and the angle of incidence t
+ *     the reflected wave is {@code exp(-2 (k s cos t)^2)}, where {@code k s cos t} is Rayleigh's roughness parameter, k
+ *     the wavenumber and t the angle of incidence
  * @param turbulence turbulence of the air
  */
 public record GroundInterference(

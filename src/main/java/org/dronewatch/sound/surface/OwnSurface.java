@@ -30,10 +30,10 @@ import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
  * @param wall whether the wall is a single surface (sheet) or has a front and a back (solid)
  * @param speed speed of sound inside a wall with a front and a back, for refraction in the level model, above 0 and at
  *     most 20,000 m/s; omit it if unknown
- * @param flowResistivity if {@code ground} of the energy model is {@code coherent}, the effective flow resistivity of
- *     this surface as ground, above 0 and at most 1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt; if it is
- *     omitted, the value of the surface of the same name in the table is used; if there is none, the surface reflects
- *     all unabsorbed sound in phase
+ * @param flowResistivity effective flow resistivity of this surface as ground, used if {@code ground} is
+ *     {@code coherent} in the energy model, above 0 and at most 1,000,000 kPa s/m2: 200 for grass, 20,000 for asphalt;
+ *     if it is omitted, the value of the surface of the same name in the table is used; if there is none, the surface
+ *     reflects all unabsorbed sound in phase
  */
 public record OwnSurface(
         Optional<BandFractions> absorption,

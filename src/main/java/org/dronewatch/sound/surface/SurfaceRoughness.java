@@ -12,8 +12,8 @@ public final class SurfaceRoughness {
     private SurfaceRoughness() {}
 
     /**
-     * The fraction that is scattered: {@code min(s, 1 - exp(-g cos^2 t))}, with the given fraction s, the angle of
-     * incidence t, and the roughness parameter g for which the mean of {@code 1 - exp(-g cos^2 t)} in a diffuse field,
+     * The fraction that is scattered: {@code min(s, 1 - exp(-g cos^2 t))}, where s is the given fraction, t the angle
+     * of incidence, and g the roughness parameter for which the mean of {@code 1 - exp(-g cos^2 t)} in a diffuse field,
      * {@code 1 - (1 - exp(-g)) / g}, is s. The cap at s takes effect near normal incidence.
      *
      * @param randomIncidence fraction s that is scattered in a diffuse field, 0 to 1

@@ -32,7 +32,7 @@ final class ChangedSettings {
             SensorSettings<?> mine = here.sensors().get(id);
             SensorSettings<?> other = there.sensors().get(id);
             if (mine == null || other == null) {
-                changes.add("'" + id + "' only in " + (other == null ? "this run" : "the other"));
+                changes.add("'" + id + "' only in " + (other == null ? "this run" : "the other run"));
                 continue;
             }
             boolean isOn = here.enabledSensors().containsKey(id);
@@ -44,7 +44,7 @@ final class ChangedSettings {
             }
         }
         if (changes.isEmpty()) {
-            return "All sensors are set as in the other run.";
+            return "All sensors have the same settings as in the other run.";
         }
         String more = changes.size() > MOST ? ", and " + (changes.size() - MOST) + " more" : "";
         return "Sensors that differ: " + String.join(", ", changes.subList(0, Math.min(MOST, changes.size()))) + more

@@ -69,7 +69,7 @@ public final class CoverageForm extends JPanel {
                         "Heading",
                         headings,
                         "The heading on which the sensors are least or most likely to detect the drone, or the one"
-                                + " towards the protected zone or, without one, the sensors"),
+                                + " towards the protected zone (towards the sensors if there is no zone)"),
                 headings,
                 button));
         add(row(

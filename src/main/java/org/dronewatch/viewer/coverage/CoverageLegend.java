@@ -21,7 +21,7 @@ public final class CoverageLegend extends JPanel {
         add(entries, BorderLayout.NORTH);
         // So that the scroll bar covers nothing.
         setBorder(BorderFactory.createEmptyBorder(Scaled.px(4), Scaled.px(2), Scaled.px(2), Scaled.px(14)));
-        getAccessibleContext().setAccessibleName("legend of the coverage");
+        getAccessibleContext().setAccessibleName("coverage legend");
     }
 
     /** Shows entries in their order; none for no coverage. */

@@ -31,7 +31,7 @@ public final class CoveragePanel extends JPanel {
     private final JButton button = new JButton("Compute");
     private final CoverageForm form = new CoverageForm(button, this::compute);
     private final JProgressBar progress = new JProgressBar(0, PARTS);
-    private final WrappedText message = new WrappedText("summary of the coverage");
+    private final WrappedText message = new WrappedText("coverage summary");
     private final CoverageLegend legend = new CoverageLegend();
     private final CoverageHeights heights = new CoverageHeights(this::update, this::choose);
     private final CoverageSwitches switches = new CoverageSwitches(this::update);
@@ -80,7 +80,7 @@ public final class CoveragePanel extends JPanel {
         });
         progress.setVisible(false);
         progress.setStringPainted(true);
-        progress.getAccessibleContext().setAccessibleName("progress of the coverage");
+        progress.getAccessibleContext().setAccessibleName("coverage progress");
         setBorder(BorderFactory.createEmptyBorder(Scaled.px(2), Scaled.px(4), Scaled.px(4), Scaled.px(4)));
         add(controls(), BorderLayout.NORTH);
         add(CoverageSwitches.scrolling(legend), BorderLayout.WEST);
@@ -177,7 +177,7 @@ public final class CoveragePanel extends JPanel {
     private void take(Optional<ViewedCoverage> found) {
         setComputing(false);
         if (found.isEmpty()) {
-            message.setText("No height is complete.");
+            message.setText("The computation ended before any height was complete.");
             return;
         }
         coverage = found.get();

@@ -217,7 +217,7 @@ class CoverageReportTest {
     /** Without a required response there is no ring; with one, its radius is that of its time. */
     @Test
     void theRoseHasTheNeededResponseAsARing() throws IOException {
-        assertThat(text).contains("requires no response time").doesNotContain("required response,");
+        assertThat(text).contains("states no response time").doesNotContain("response time, ");
         assertThat(page.getElementsByTagName("polygon").getLength()).isEqualTo(2);
         InboundWarnings all = found.warnings().orElseThrow();
         InboundWarnings asked =
@@ -229,7 +229,7 @@ class CoverageReportTest {
                 .orElseThrow();
         assertThat(rose)
                 .contains(String.format(Locale.ROOT, "r=\"%.1f\" fill=\"none\" stroke=\"#000\"", 235 * 8.0 / longest))
-                .contains("required response, 8 s");
+                .contains("response time, 8 s");
         List<Warning> east = all.all().stream()
                 .filter(one -> Math.abs(one.bearing() - 0.5 * Math.PI) < 1e-9)
                 .toList();

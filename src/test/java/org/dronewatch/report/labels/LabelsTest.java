@@ -349,10 +349,10 @@ class LabelsTest {
     void wrongCamerasAndTooManyPicturesAreRefusedInOneLine() {
         String out = directory.resolve("r").toString();
         assertThat(run(2, "run", "multi-sensor", "--labels", "microphone", "--out", out))
-                .contains(
-                        "--labels microphone: does not take pictures in colour (acoustic); the scene has north-east-1");
+                .contains("--labels microphone: does not take pictures in colour (acoustic); colour cameras that are"
+                        + " switched on: north-east-1");
         assertThat(run(2, "run", "multi-sensor", "--labels", "nobody", "--out", out))
-                .contains("--labels nobody: no such camera; the scene has north-east-1");
+                .contains("--labels nobody: no such camera; colour cameras that are switched on: north-east-1");
         assertThat(run(2, "run", "scenes/daylight.yaml", "--labels", "west", "--labels", "west", "--out", out))
                 .contains("--labels west: is given twice");
         assertThat(run(

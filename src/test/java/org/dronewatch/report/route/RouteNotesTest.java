@@ -67,7 +67,7 @@ class RouteNotesTest extends RouteSamples {
         assertThat(new RouteNotes(cued).notes(few))
                 .contains("With cues, the drone is detected on the route from the north in 6 of 50 flights"
                         + " instead of the listed 63 %.")
-                .anyMatch(note -> note.endsWith("for which positioners count as cued."));
+                .anyMatch(note -> note.endsWith("which assume that positioners are cued."));
         assertThat(new RouteNotes(cued).notes(enough)).noneMatch(note -> note.startsWith("With cues"));
         assertThat(new RouteNotes(cued).notes(kept)).noneMatch(note -> note.endsWith("count as cued."));
     }

@@ -90,7 +90,7 @@ class DetectionComparisonTest {
                 "sensors.camera.width=300");
         RecordedRun there = run(true, "run.duration=0.1 s", "sensors.camera.fov=0.700001 rad");
         assertThat(ChangedSettings.text(here.info().settings(), here.info().settings()))
-                .isEqualTo("All sensors are set as in the other run.");
+                .isEqualTo("All sensors have the same settings as in the other run.");
         assertThat(ChangedSettings.text(here.info().settings(), there.info().settings()))
                 .startsWith("Sensors that differ: 'camera' ")
                 .contains("'camera' rate 5 Hz (other run: 10 Hz)")

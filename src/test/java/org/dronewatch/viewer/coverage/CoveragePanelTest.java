@@ -192,7 +192,9 @@ class CoveragePanelTest {
         boolean isWhole =
                 panel.shown().isPresent() && panel.shown().get().coverage().isWhole();
         assertThat(isWhole).isFalse();
-        assertThat(panel.message()).matches("No height is complete\\.|.*Cancelled: complete for . of 3 heights\\.");
+        assertThat(panel.message())
+                .matches("The computation ended before any height was complete\\."
+                        + "|.*Cancelled: complete for . of 3 heights\\.");
         onEventThread(() -> {
             panel.form().set("2", "400", "20");
             return null;

@@ -70,9 +70,9 @@ public final class MoveWords {
     }
 
     private static String reduction(Collection<String> reduced) {
-        return " Of the sound at " + names(reduced)
-                + ", only direct, reflected and diffracted paths count, not reverberation: 'Compute' takes all of it into"
-                + " account.";
+        return " At " + names(reduced)
+                + ", only direct, reflected and diffracted sound counts, not reverberation: 'Compute' takes all sound"
+                + " into account.";
     }
 
     private static String names(Collection<String> names) {

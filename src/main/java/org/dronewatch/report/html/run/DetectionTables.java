@@ -37,7 +37,7 @@ final class DetectionTables {
             "first detected [s]",
             "range at first detection [m]",
             "last detected [s]",
-            "greatest range of detection [m]",
+            "maximum detection range [m]",
             "fraction of looks with a detection");
 
     private final RunResult run;
@@ -89,8 +89,8 @@ final class DetectionTables {
                                 "p",
                                 Counted.of(
                                         without,
-                                        "pair of sensor and drone without a detection is not shown.",
-                                        "pairs of sensor and drone without a detection are not shown."))
+                                        "sensor-drone pair without a detection is not shown.",
+                                        "sensor-drone pairs without a detection are not shown."))
                         : "")
                 + Html.table(HEAD, detected.subList(0, Math.min(MAX_ROWS, detected.size())))
                 + notShown(detected.size() - MAX_ROWS);
@@ -102,9 +102,7 @@ final class DetectionTables {
                 ? Html.plain(
                         "p",
                         Counted.of(
-                                left,
-                                "more pair of sensor and drone is not shown.",
-                                "more pairs of sensor and drone are not shown."))
+                                left, "more sensor-drone pair is not shown.", "more sensor-drone pairs are not shown."))
                 : "";
     }
 

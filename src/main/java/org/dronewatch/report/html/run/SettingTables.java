@@ -91,7 +91,7 @@ final class SettingTables {
     String rule() {
         AlertSettings alert = settings.alert();
         String needs = alert.response() > 0.0
-                ? " Required response time: " + number(alert.response()) + " " + Quantity.DURATION.unit() + "."
+                ? " The response takes " + number(alert.response()) + " " + Quantity.DURATION.unit() + "."
                 : "";
         String confirmed = alert.confirm().looks() == 1
                 ? ""

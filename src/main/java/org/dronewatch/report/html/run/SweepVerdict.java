@@ -73,7 +73,9 @@ final class SweepVerdict {
         int count = runs.size() - bad.size();
         String all = bad.isEmpty()
                 ? "In all " + runs.size() + " runs "
-                : count == 0 ? "In 0 of " + runs.size() + " runs " : "In " + count + " of " + runs.size() + " runs ";
+                : count == 0
+                        ? "Among the " + runs.size() + " runs, there is none in which "
+                        : "In " + count + " of " + runs.size() + " runs ";
         boolean listed = count > 0 && !bad.isEmpty() && bad.size() <= MAX_LISTED;
         return all + what + (listed ? " (not for " + values(bad) + ")" : "") + ".";
     }

@@ -88,8 +88,7 @@ final class Verdict {
     }
 
     private String required() {
-        return format(
-                "(required response time: %s s)", number(run.settings().alert().response()));
+        return format("(the response takes %s s)", number(run.settings().alert().response()));
     }
 
     private String sentences(DroneGroup group) {

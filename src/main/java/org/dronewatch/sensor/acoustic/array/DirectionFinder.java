@@ -13,13 +13,13 @@ import org.dronewatch.sound.OctaveBands;
  * The accuracy with which an array finds the direction of one sound in noise that is incoherent between microphones:
  * the stochastic Cramer-Rao bound (P. Stoica and A. Nehorai, IEEE Trans. ASSP 38, 1783, 1990), which good methods reach
  * once the sound is detected. In a narrow band, the inverse of the variance of an angle is
- * {@code 2 T S k^2 D / (1 + 1 / (N S))}, with T snapshots, the signal-to-noise ratio S of one microphone, the
- * wavenumber k, N microphones, and the sum D of the squares of the microphones' positions relative to their centre,
- * each projected onto the derivative of the sound's unit direction vector with respect to the angle. The contributions
- * of all bands are added, each with a number of snapshots equal to its width times the duration of a look. Bands in
- * which neighbouring microphones are more than half a wavelength apart are left out, since their directions are
- * ambiguous. The standard deviation due to the array itself ({@link ArraySettings#accuracy}) is added in quadrature.
- * Immutable.
+ * {@code 2 T S k^2 D / (1 + 1 / (N S))}, where T is the number of snapshots, S the signal-to-noise ratio of one
+ * microphone, k the wavenumber, N the number of microphones, and D the sum of the squares of the microphones' positions
+ * relative to their centre, each projected onto the derivative of the sound's unit direction vector with respect to the
+ * angle. The contributions of all bands are added, each with a number of snapshots equal to its width times the
+ * duration of a look. Bands in which neighbouring microphones are more than half a wavelength apart are left out, since
+ * their directions are ambiguous. The standard deviation due to the array itself ({@link ArraySettings#accuracy}) is
+ * added in quadrature. Immutable.
  */
 public final class DirectionFinder {
     /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */

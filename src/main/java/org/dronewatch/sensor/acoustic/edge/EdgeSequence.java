@@ -18,7 +18,7 @@ public final class EdgeSequence {
         edges = 0;
     }
 
-    /** Takes the path that a band has found last. */
+    /** Takes the path that a band found last. */
     void take(RubberBand band, double straight, double longer) {
         detour = longer;
         edges = band.corners();

@@ -10,7 +10,7 @@ import org.dronewatch.world.World;
  * point to below the second, v to the left of it. For use by one thread.
  */
 final class GroundProfile {
-    /** Points no farther apart than this, m, are straight above each other. */
+    /** Points no farther apart than this, m, are directly above one another. */
     private static final double BESIDE = 1e-3;
 
     private final TriangleMesh mesh;
@@ -104,7 +104,7 @@ final class GroundProfile {
         return from.y() + northOfU * u + eastOfU * v;
     }
 
-    /** The number, in the world, of the material that {@link #z} has found last. */
+    /** The number, in the world, of the material that {@link #z} found last. */
     int material() {
         return visibility.material();
     }

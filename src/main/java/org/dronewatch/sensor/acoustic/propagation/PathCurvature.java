@@ -5,7 +5,7 @@ import org.dronewatch.sound.Atmosphere;
 /**
  * The curvature of sound paths due to wind and temperature: if the effective speed of sound, that in still air plus the
  * speed of the wind along the path, changes linearly with height at the rate g, a path at an elevation gamma is an arc
- * of radius {@code c / (g cos gamma)}, with the speed of sound c (A. D. Pierce, Acoustics, section 8.3). The wind's
+ * of radius {@code c / (g cos gamma)}, where c is the speed of sound (A. D. Pierce, Acoustics, section 8.3). The wind's
  * profile is assumed linear between the heights of the source and the microphone. Curvatures are positive where sound
  * bends up. Immutable.
  *
@@ -64,8 +64,8 @@ public record PathCurvature(double everywhere, double eastward, double northward
 
     /**
      * The height of the straight line above an arc that bends up, or, equivalently, the rise of the ground if arcs are
-     * drawn as straight lines, m: {@code k s (L - s) / 2}, with the curvature k, the length L and the distance s along
-     * the line. This holds at any elevation if lengths are measured along the line.
+     * drawn as straight lines, m: {@code k s (L - s) / 2}, where k is the curvature, L the length of the line and s the
+     * distance along it. This holds at any elevation if lengths are measured along the line.
      *
      * @param curvature 1/m; negative if the arc bends down, and runs above the line
      * @param length length of the straight line, m
@@ -87,7 +87,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
     }
 
     /**
-     * An upper bound on the sum of a point's distances from the two ends of an arc, m, given an upper limit of that sum
+     * An upper bound on the sum of a point's distances from the two ends of an arc, m, given an upper limit on that sum
      * in coordinates in which arcs are straight lines and the ground is raised by the {@link #sag}.
      *
      * @param curvature 1/m

@@ -14,7 +14,7 @@ public interface Propagation {
     /** A tracer of sound to a microphone in a world. */
     SoundTracer tracer(Microphone microphone, World world);
 
-    /** The quantity that is compared with the threshold, as the label of an axis: {@code sound level}. */
+    /** The quantity that is compared with the threshold, as the label of an axis, such as {@code sound level}. */
     String measures();
 
     /** The speed at which sound travels to the microphone, m/s; infinity if it arrives at once. */

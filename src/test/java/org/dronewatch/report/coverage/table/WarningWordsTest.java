@@ -72,7 +72,7 @@ class WarningWordsTest {
         InboundWarnings all = flights(30, bearing -> LONGEST, bearing -> true);
         assertThat(words(all))
                 .contains("The flights begin 200 m away, so no warning can exceed 15 s.")
-                .contains("That is less than the required response")
+                .contains("That is less than the response takes")
                 .contains("at least 15 s from every bearing")
                 .contains("shortest warning of a straight inbound flight comes at least 15 s before")
                 .contains("In 72 of 72 cases, it is unknown whether the required warning of 30 s is given: the drone")
@@ -90,7 +90,7 @@ class WarningWordsTest {
                 .contains("no warning can exceed 15 s.")
                 .contains("The shortest warning of a straight inbound flight comes 9 s before")
                 .contains("The required warning of 12 s is not given in 4 of 72 cases.")
-                .doesNotContain("unknown", "less than the required response");
+                .doesNotContain("unknown", "less than the response takes");
         assertThat(table(some))
                 .contains("  9.0 s from 0 to 10 deg   >= 15.0 s")
                 .contains("2 of 36 bearings")

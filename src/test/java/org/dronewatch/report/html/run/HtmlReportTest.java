@@ -48,8 +48,8 @@ class HtmlReportTest {
                 .anyMatch(text ->
                         text.equals("'glider' is first detected by 'radar' (radar) at a range of 664 m, 8 s after"
                                 + " the start; 5 of 7 sensors never detect it. The alert is raised by 'radar' 8 s after the start,"
-                                + " when the drone is 609 m (40.6 s of flight) from the protected zone: in time (required response"
-                                + " time: 30 s)."));
+                                + " when the drone is 609 m (40.6 s of flight) from the protected zone: in time (the response"
+                                + " takes 30 s)."));
         assertThat(texts(document, "td"))
                 .anyMatch(text -> text.startsWith("always radio-silent (autonomous)"))
                 .anyMatch(text ->

@@ -193,7 +193,7 @@ class MissesTest {
         Document page = tables();
 
         assertThat(texts(page, "p"))
-                .contains("1 more pair of sensor and drone is not shown.")
+                .contains("1 more sensor-drone pair is not shown.")
                 .contains(
                         "Some sensors detect a drone, but not all the time. The table below states for what part of the"
                                 + " run a sensor does not detect a drone, and why.");

@@ -85,7 +85,7 @@ class SwarmReportTest {
                 .startsWith("1 of the 3 drones of swarm 'x' is detected; the first is '" + first
                         + "', detected by 'camera'")
                 .contains(
-                        "An alert is raised for 1 of the swarm's 3 drones, in time for none (required response time: 5 s).");
+                        "An alert is raised for 1 of the swarm's 3 drones, in time for none (the response takes 5 s).");
         assertThat(texts(parsed(report(new SceneFile(file), List.of())), "p")).contains(verdict);
     }
 
@@ -139,13 +139,13 @@ class SwarmReportTest {
         assertThat(texts(all, "td").stream().filter("rf"::equals)).hasSize(60 + 13);
         assertThat(texts(all, "p"))
                 .noneMatch(text -> text.contains("without a detection"))
-                .contains("70 more pairs of sensor and drone are not shown.");
+                .contains("70 more sensor-drone pairs are not shown.");
 
         Files.writeString(file, scene.toString().replace("RADIO", ", radio: {control: fibre}"));
         Document none = parsed(report(new SceneFile(file), List.of()));
         assertThat(texts(none, "p"))
-                .contains("130 pairs of sensor and drone without a detection are not shown.")
-                .contains("70 more pairs of sensor and drone are not shown.");
+                .contains("130 sensor-drone pairs without a detection are not shown.")
+                .contains("70 more sensor-drone pairs are not shown.");
         assertThat(texts(none, "td")).contains("always radio-silent (fibre); the closest approach was 50 m");
 
         Files.writeString(file, scene.toString().replace("RADIO", ", radio: {emission: cellular}"));
