@@ -5,19 +5,22 @@ import org.dronewatch.sound.Levels;
 /**
  * Judges whether the rays traced so far determine a level, and how accurately. For use by one thread.
  *
- * <p>Where rays contribute little, a rare strong one may still change the level by more than all others, and the
- * scatter of a thousand rays does not show it if it is not among them. There the error includes an allowance for such a
- * ray ({@link MissedRays}). More rays would hardly help, since such a ray is one of thousands. Once many rays have
- * contributed, one that was missed is unlikely to be much stronger than they are, and the allowance is reduced. The
- * constants are those with which 200,000 recorded rays at each of 24 pairs of places, drawn again at random, keep to
- * their stated errors.
+ * <p>A rare strong ray may change a level by more than all others, and the scatter of a thousand rays does not show it
+ * if it is not among them. So the error includes an allowance for such a ray ({@link MissedRays}). Unless it would be
+ * weak anyway, the allowance does not depend on what the rays that were drawn contribute, since they contribute little
+ * precisely if the strong ones were missed. For the same reason, as long as such a ray would be appreciable, a look
+ * does not end because those that were drawn contribute little and scatter little. The constants are those with which 150,000 recorded rays at each of 50 pairs of
+ * places, in both directions, drawn again at random, keep to their stated errors.
  */
 final class Convergence {
     /** If rays contribute less than this fraction of what is heard, a reading converges whatever their number. */
     private static final double INSIGNIFICANT = 0.15;
 
-    /** If they contribute less than this, the first rays suffice. */
+    /** If they contribute less than this, the first rays suffice, unless one may be missed that is appreciable. */
     private static final double HARDLY_ANYTHING = 0.01;
+
+    /** A ray that contributes more than this fraction of what is heard is appreciable. */
+    private static final double APPRECIABLE_RAY = 0.1;
 
     /**
      * With fewer effective contributions than this, their scatter is not known, unless even the strongest is less than
@@ -31,7 +34,7 @@ final class Convergence {
      */
     private static final double SEVERAL_THOUSAND = 3000.0;
 
-    /** ... and make this many effective contributions, ... */
+    /** ... and make this many effective contributions, unless an appreciable ray may be missed, ... */
     private static final double MORE_THAN_ENOUGH = 40.0;
 
     /** ... or else this many: many small contributions, from all around. */
@@ -43,11 +46,23 @@ final class Convergence {
     /** A ray that may have been missed is not taken to contribute more than this fraction of what is heard. */
     private static final double MOST_MISSED = 0.018;
 
+    /** Where it would contribute less than this fraction of what is heard, and many rays contribute, ... */
+    private static final double WEAK = 0.01;
+
+    /** ... it is not taken to contribute more than this fraction of what they do. */
+    private static final double MISSED_OF_MANY = 0.1;
+
+    /**
+     * Where rays contribute much, at most a {@link #WEAK} ray is added to their scatter, but the error is not below
+     * that for this fraction of the one that may have been missed, ...
+     */
+    private static final double LEAST_MISSED = 0.7;
+
+    /** ... or, if that is less, of this fraction of what they contribute. */
+    private static final double LEAST_OF_MUCH = 0.3;
+
     /** Root mean square of a contribution that may be anything from 0 to 1. */
     private static final double ROOT_MEAN_SQUARE = 1.0 / Math.sqrt(3.0);
-
-    /** Where many contribute, what was missed is at most this multiple of the square of the fraction that they are. */
-    private static final double MISSED_OF_MANY = 3.0;
 
     /** Where few contribute, the smallest error that is stated if there is anything to be missed, dB. */
     private static final double LEAST_ERROR = 0.005;
@@ -95,6 +110,15 @@ final class Convergence {
     }
 
     /**
+     * How many rays must be traced for a single one not to be appreciable: fewer may suffice.
+     *
+     * @param heard the sum of exact paths and rays, greater than 0
+     */
+    double mostNeeded(int quantity, double heard) {
+        return missed.contribution(quantity) / (APPRECIABLE_RAY * heard);
+    }
+
+    /**
      * Standard error of the level so far, dB; infinity as long as nothing is heard.
      *
      * @param heard the sum of exact paths and rays
@@ -103,23 +127,24 @@ final class Convergence {
         if (!(heard > 0.0)) {
             return Double.POSITIVE_INFINITY;
         }
+        double received = tally.received(quantity);
         double drawn = tally.standardError(quantity);
+        double one = missed.contribution(quantity) / tally.rays();
         if (!isInsignificant(quantity, heard)) {
-            return Levels.ofRatio(1.0 + drawn / heard);
+            double ofRays = Math.hypot(drawn, Math.min(one, WEAK * heard) * ROOT_MEAN_SQUARE);
+            double least = Math.min(LEAST_MISSED * one, LEAST_OF_MUCH * received) * ROOT_MEAN_SQUARE;
+            return Levels.ofRatio(1.0 + Math.max(ofRays, least) / heard);
         }
-        double most = MOST_OFF * heard * Math.min(1.0, Math.sqrt(HUNDREDS / tally.effectiveRays(quantity)));
-        double systematic =
-                Math.min(tally.received(quantity) * RELATIVE_ERROR * Math.sqrt(SEVERAL_THOUSAND / tally.rays()), most);
-        double ofRays = Math.hypot(Math.hypot(drawn, systematic), notDrawn(quantity, heard) * ROOT_MEAN_SQUARE);
-        boolean isMissing = areFew(quantity) && missed.contribution(quantity) > 0.0;
+        double most = MOST_MISSED * heard;
+        if (one < WEAK * heard && !areFew(quantity)) {
+            most = MISSED_OF_MANY * received;
+        }
+        double notDrawn = Math.min(one, most) * ROOT_MEAN_SQUARE;
+        double mostOff = MOST_OFF * heard * Math.min(1.0, Math.sqrt(HUNDREDS / tally.effectiveRays(quantity)));
+        double systematic = Math.min(received * RELATIVE_ERROR * Math.sqrt(SEVERAL_THOUSAND / tally.rays()), mostOff);
+        double ofRays = Math.hypot(Math.hypot(drawn, systematic), notDrawn);
+        boolean isMissing = areFew(quantity) && one > 0.0;
         return Math.hypot(Levels.ofRatio(1.0 + ofRays / heard), isMissing ? LEAST_ERROR : 0.0);
-    }
-
-    /** The most that is allowed for a ray that may have been missed, 1/m2. */
-    private double notDrawn(int quantity, double heard) {
-        double most = Math.min(missed.contribution(quantity) / tally.rays(), MOST_MISSED * heard);
-        double drawn = tally.received(quantity);
-        return areFew(quantity) ? most : Math.min(most, MISSED_OF_MANY * drawn * drawn / heard);
     }
 
     private boolean areFew(int quantity) {
@@ -153,12 +178,16 @@ final class Convergence {
 
     /** Whether rays that contribute little would hardly contribute more if more of them were traced. */
     private boolean hasShownMost(int quantity, double heard) {
-        if (tally.rays() >= SEVERAL_THOUSAND && !(tally.received(quantity) > 0.0)) {
+        double received = tally.received(quantity);
+        double effective = tally.effectiveRays(quantity);
+        if (effective >= (received < APPRECIABLE * heard ? 2.0 * PLENTY : PLENTY)) {
             return true;
         }
-        double effective = tally.effectiveRays(quantity);
-        return effective > 0.0 && tally.received(quantity) <= HARDLY_ANYTHING * heard
-                || effective >= (tally.received(quantity) < APPRECIABLE * heard ? 2.0 * PLENTY : PLENTY)
-                || effective >= MORE_THAN_ENOUGH && tally.rays() >= SEVERAL_THOUSAND;
+        if (tally.rays() < mostNeeded(quantity, heard)) {
+            return false;
+        }
+        return received > 0.0 && received <= HARDLY_ANYTHING * heard
+                || tally.rays() >= SEVERAL_THOUSAND && !(received > 0.0)
+                || tally.rays() >= SEVERAL_THOUSAND && effective >= MORE_THAN_ENOUGH;
     }
 }

@@ -145,13 +145,11 @@ public final class EnergyTracer {
         if (rays < FEWEST) {
             return batches(FEWEST - rays);
         }
-        double excess = errorLevel(source) / model.accuracy();
-        return batches(rays * (excess * excess - 1.0));
-    }
-
-    private double errorLevel(SoundSource source) {
         int quantity = decisive(source);
-        return convergence.error(quantity, heard(quantity));
+        double heard = heard(quantity);
+        double excess = convergence.error(quantity, heard) / model.accuracy();
+        double more = rays * (excess * excess - 1.0);
+        return batches(more > 0.0 ? more : convergence.mostNeeded(quantity, heard) - rays);
     }
 
     private static int batches(double rays) {

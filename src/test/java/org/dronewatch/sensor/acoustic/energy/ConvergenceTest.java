@@ -77,11 +77,38 @@ class ConvergenceTest {
     /** One over the root of the number of contributions, as of a binomial of low probability, and half of one more. */
     @Test
     void whereRaysContributeMuchTheErrorIsTheirScatter() {
-        between(1, Set.of(1));
+        between(FAR, Set.of());
         trace(2000, 100);
         double drawn = Math.sqrt(100 * (1 - 100 / 2000.0) + 0.5) / 100;
         assertThat(convergence.error(BAND, 1.0)).isCloseTo(Levels.ofRatio(1 + drawn), within(1e-9));
         assertThat(convergence.error(BAND, 4.0)).isCloseTo(Levels.ofRatio(1 + drawn / 4), within(1e-9));
+    }
+
+    /** A ray that was missed, up to 1 % of what is heard, adds to the scatter; a stronger one is the least error. */
+    @Test
+    void whereRaysContributeMuchOneThatWasMissedMayBeNearlyAThirdOfIt() {
+        between(1, Set.of(1));
+        double all = 3.0 * missed.contribution(BAND) / 3000;
+        trace(3000, 300, all);
+        double drawn = Math.sqrt(300 * (1 - 300 / 3000.0) + 0.5) / 300;
+        assertThat(convergence.error(BAND, all))
+                .as("a third of all: 70 %% of it")
+                .isCloseTo(Levels.ofRatio(1 + 0.7 / 3 / Math.sqrt(3)), within(1e-9));
+        assertThat(convergence.error(BAND, 5 * all))
+                .as("also where paths without rays are most of it")
+                .isCloseTo(Levels.ofRatio(1 + 0.7 / 15 / Math.sqrt(3)), within(1e-9));
+        trace(3000, 300, all / 2);
+        assertThat(convergence.error(BAND, all))
+                .as("two thirds of what rays contribute: 30 %% of that")
+                .isCloseTo(Levels.ofRatio(1 + 0.15 / Math.sqrt(3)), within(1e-9));
+        trace(3000, 300, 40 * all);
+        assertThat(convergence.error(BAND, 40 * all))
+                .as("one part in 120")
+                .isCloseTo(Levels.ofRatio(1 + Math.hypot(drawn, 1 / 120.0 / Math.sqrt(3))), within(1e-9));
+        trace(3000, 300, 10 * all);
+        assertThat(convergence.error(BAND, 10 * all))
+                .as("one part in 30: one in a hundred is allowed for")
+                .isCloseTo(Levels.ofRatio(1 + Math.hypot(drawn, 0.01 / Math.sqrt(3))), within(1e-9));
     }
 
     @Test
@@ -118,7 +145,6 @@ class ConvergenceTest {
         assertThat(convergence.isAccurate(BAND, 20.1, ACCURACY)).isTrue();
     }
 
-    /** However much is allowed for others: more rays would hardly find them. */
     @Test
     void whereRaysContributeHardlyAnythingTheFirstOnesSuffice() {
         between(1, Set.of(1));
@@ -151,16 +177,45 @@ class ConvergenceTest {
                 .isCloseTo(0.0, within(1e-6));
     }
 
-    /** Forty equal contributions and more: three times the square of the fraction that rays contribute. */
+    /** Rays contribute little if the strong ones were missed: only for a weak one it matters what they contribute. */
     @Test
-    void whereManyRaysContributeOneThatWasMissedIsNotMuchStronger() {
+    void theAllowanceIsPartOfTheErrorWhereManyRaysContributeLittle() {
         between(1, Set.of(1));
-        trace(1000, 40, 1e-3);
-        double drawn = Math.sqrt(40 * (1 - 40 / 1000.0) + 0.5) / 40 * 1e-3;
-        double missing = 3e-6 / Math.sqrt(3);
-        double systematic = 0.046e-3 * Math.sqrt(3);
-        assertThat(convergence.error(BAND, 1.0))
-                .isCloseTo(Levels.ofRatio(1 + Math.hypot(Math.hypot(drawn, systematic), missing)), within(1e-9));
+        trace(1000, 50, 1e-3);
+        double drawn = Math.sqrt(50 * (1 - 50 / 1000.0) + 0.5) / 50;
+        double systematic = 0.046 * Math.sqrt(3);
+        double ofRays = Math.hypot(drawn, systematic) * 1e-3;
+        double one = missed.contribution(BAND) / 1000;
+        double heard = one / 0.019;
+        assertThat(convergence.error(BAND, heard))
+                .as("one part in 53: 1.8 %% are allowed for")
+                .isCloseTo(Levels.ofRatio(1 + Math.hypot(ofRays / heard, 0.018 / Math.sqrt(3))), within(1e-9));
+        heard = one / 0.011;
+        assertThat(convergence.error(BAND, heard))
+                .as("one part in 91: all of it")
+                .isCloseTo(Levels.ofRatio(1 + Math.hypot(ofRays / heard, 0.011 / Math.sqrt(3))), within(1e-9));
+        heard = one / 0.009;
+        assertThat(convergence.error(BAND, heard))
+                .as("one part in 111: 10 %% of what rays contribute")
+                .isCloseTo(Levels.ofRatio(1 + Math.hypot(ofRays, 0.1e-3 / Math.sqrt(3)) / heard), within(1e-9));
+    }
+
+    /** Whether the rays that were drawn contribute little, or hardly anything, or nothing. */
+    @Test
+    void aRayThatMayBeATenthOfWhatIsHeardIsWaitedFor() {
+        between(1, Set.of(1));
+        double heard = missed.contribution(BAND) / 4000 / 0.1;
+        assertThat(convergence.mostNeeded(BAND, heard)).isCloseTo(4000, within(1e-6));
+        for (double fraction : new double[] {0.14, 0.009}) {
+            trace(3990, 60, fraction * heard);
+            assertThat(convergence.isAccurate(BAND, heard, ACCURACY)).isFalse();
+            trace(4010, 60, fraction * heard);
+            assertThat(convergence.isAccurate(BAND, heard, ACCURACY)).isTrue();
+        }
+        trace(1000, 400, 0.04 * heard);
+        assertThat(convergence.isAccurate(BAND, heard, ACCURACY))
+                .as("many small contributions, from all around")
+                .isTrue();
     }
 
     /** As well as 3,000 rays are taken to tell what they contribute, and four times as many. */

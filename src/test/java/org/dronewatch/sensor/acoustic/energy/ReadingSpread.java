@@ -29,10 +29,10 @@ record ReadingSpread(
         int unconverged,
         boolean isSilent) {
     /**
-     * Stated errors up to this may be mostly an allowance for rays that were not drawn ({@link Convergence}), which is
-     * too large wherever there are no such rays, dB.
+     * The part of a stated error up to this is assumed, above all for rays that were not drawn ({@link Convergence}), which
+     * is too large wherever there are no such rays, dB.
      */
-    static final double ALLOWANCE = 0.055;
+    static final double ALLOWANCE = 0.048;
 
     /** Of means of exact readings, dB. */
     private static final double ROUNDING = 1e-9;
@@ -83,9 +83,10 @@ record ReadingSpread(
                 mean, Math.sqrt(squares), stated / count, Math.sqrt(ratios), beyond, count, readings - count, isSilent);
     }
 
-    /** The least that the ratio may be: nothing where the stated error may be no more than an allowance. */
+    /** The least that the ratio may be: 0.8 without the allowance, which is the root of a difference of squares. */
     double leastRatio() {
-        return stated > ALLOWANCE ? 0.8 : 0.0;
+        double allowed = ALLOWANCE / stated;
+        return 0.8 * Math.sqrt(Math.max(0.0, 1.0 - allowed * allowed));
     }
 
     /** Whether more readings than one in fifty, or all of them, did not converge, though there is something to hear. */
