@@ -9,8 +9,9 @@ import org.dronewatch.sound.Levels;
  * if it is not among them. So the error includes an allowance for such a ray ({@link MissedRays}). Unless it would be
  * weak anyway, the allowance does not depend on what the rays that were drawn contribute, since they contribute little
  * precisely if the strong ones were missed. For the same reason, as long as such a ray would be appreciable, a look
- * does not end because those that were drawn contribute little and scatter little. The constants are those with which 150,000 recorded rays at each of 50 pairs of
- * places, in both directions, drawn again at random, keep to their stated errors.
+ * does not end because those that were drawn contribute little and scatter little. The constants are those with which
+ * 150,000 recorded rays at each of 50 pairs of places, in both directions, drawn again at random, keep to their stated
+ * errors.
  */
 final class Convergence {
     /** If rays contribute less than this fraction of what is heard, a reading converges whatever their number. */

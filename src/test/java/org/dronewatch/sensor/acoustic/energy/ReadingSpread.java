@@ -29,8 +29,8 @@ record ReadingSpread(
         int unconverged,
         boolean isSilent) {
     /**
-     * The part of a stated error up to this is assumed, above all for rays that were not drawn ({@link Convergence}), which
-     * is too large wherever there are no such rays, dB.
+     * The part of a stated error up to this is assumed, above all for rays that were not drawn ({@link Convergence}),
+     * and is too large wherever there are no such rays, dB.
      */
     static final double ALLOWANCE = 0.048;
 
