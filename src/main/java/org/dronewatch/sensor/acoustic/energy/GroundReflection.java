@@ -19,7 +19,8 @@ import org.dronewatch.world.World;
  * where other reflections carry more energy than both together, phases are taken as random, that of the ground
  * reflection included. It takes the place of the first-order reflections within the ground's Fresnel zone. Where air
  * bends the paths, those reflections come from here even if they do not interfere, since the straight paths meet the
- * ground elsewhere. Sound scattered by rough ground is left to the rays. For use by one thread.
+ * ground elsewhere: then rough ground scatters as much of them as in still air, at grazing incidence, too, so that the
+ * slightest gradient changes nothing. Sound scattered by rough ground is left to the rays. For use by one thread.
  */
 final class GroundReflection {
     private static final int BANDS = OctaveBands.COUNT;
@@ -108,10 +109,10 @@ final class GroundReflection {
     double atGrazing(int band, double length) {
         int material = plane.material();
         GroundImpedance impedance = materials.get(material).groundImpedance().orElse(null);
-        double reflected = isCoherent && impedance != null ? 1.0 : surfaces.reflected(material, band, 0.0);
         if (!isCoherent) {
-            return 1.0 + reflected;
+            return 1.0 + surfaces.mirrored(material, band, 0.0);
         }
+        double reflected = impedance != null ? 1.0 : surfaces.reflected(material, band, 0.0);
         GroundImpedance ground = impedance == null ? GroundImpedance.RIGID : impedance;
         // Rays that graze the ground leave and arrive at one angle, and the distances are as the roots of the heights.
         double source = Math.sqrt(Math.max(0.0, plane.firstOverGround()));
@@ -147,6 +148,12 @@ final class GroundReflection {
                         ground, air.soundSpeed(), straight, length, source, sensor, plane.unevenness(), turbulence);
     }
 
+    /** The fraction of the energy that interferes: with an impedance, the interference includes what that absorbs. */
+    private double coherentlyReflected(int material, GroundImpedance impedance, int band, double cosine) {
+        double left = 1.0 - SurfaceRoughness.scattered(surfaces.scattered(material, band), cosine);
+        return impedance != null ? left : left * surfaces.reflected(material, band, cosine);
+    }
+
     /**
      * Where a first-order reflection at a point belongs: among those that interfere or among the others. Along the
      * ground it is part of the sound that travels there.
@@ -178,8 +185,9 @@ final class GroundReflection {
         double together = 0.0;
         for (int band = 0; band < BANDS; band++) {
             double reflected = source.spread(air, band, plane.rise(), length)
-                    * (1.0 - SurfaceRoughness.scattered(surfaces.scattered(material, band), cosine))
-                    * (isCoherent && impedance != null ? 1.0 : surfaces.reflected(material, band, cosine));
+                    * (isCoherent
+                            ? coherentlyReflected(material, impedance, band, cosine)
+                            : surfaces.mirrored(material, band, cosine));
             others += mirrored.heard(band);
             together += direct.heard(band) + reflected;
             both[band] = isCoherent

@@ -230,6 +230,30 @@ class RefractionTest {
         assertThat(before).isCloseTo(0, within(0.1));
     }
 
+    /** Also over rough ground: it scatters as much of the sound as in still air, whichever way the paths are found. */
+    @ParameterizedTest
+    @EnumSource(Ground.class)
+    void theSlightestGradientChangesNothing(Ground ground) {
+        EnergyModel model = EnergyModel.DEFAULT.withGround(ground);
+        for (SurfaceMaterial surface : List.of(HARD, ROUGH, SurfaceMaterial.uniform("all", 0, 1))) {
+            for (double distance : new double[] {20, 100, 300}) {
+                SoundSource sound = Sites.broadband(at(distance, 10));
+                EnergyReading still = new EnergyTracer(model, at(0, HEIGHT), 0.4, flat(surface, Atmosphere.STANDARD))
+                        .onExactPaths(sound);
+                for (double gradient : new double[] {-1e-7, 1e-7}) {
+                    EnergyReading bent = new EnergyTracer(
+                                    model, at(0, HEIGHT), 0.4, flat(surface, withGradient(gradient)))
+                            .onExactPaths(sound);
+                    for (int band = 0; band < OctaveBands.COUNT; band++) {
+                        assertThat(bent.level(band))
+                                .as("%s, %s m, gradient %s, band %d", surface.name(), distance, gradient, band)
+                                .isCloseTo(still.level(band), within(0.01));
+                    }
+                }
+            }
+        }
+    }
+
     /** The wind turned and both ends exchanged leave the sound as it is; a turned site with its wind, too. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 180, 35})
