@@ -45,7 +45,7 @@ final class Convergence {
     private static final double APPRECIABLE = 0.05;
 
     /** A ray that may have been missed is not taken to contribute more than this fraction of what is heard. */
-    private static final double MOST_MISSED = 0.018;
+    private static final double MOST_MISSED = 0.02;
 
     /** Where it would contribute less than this fraction of what is heard, and many rays contribute, ... */
     private static final double WEAK = 0.01;

@@ -67,12 +67,11 @@ class RandomPlacesErrorTest {
 
     /** A street 12 m wide between two rows of houses, 15 m high and 80 m long: some sound arrives round their ends. */
     private static SoundSites rows() {
+        TriangleMesh houses =
+                World.merge(List.of(Sites.box(-20, -40, 0, -6, 40, 15), Sites.box(6, -40, 0, 20, 40, 15)));
         World world = Sites.world(
-                List.of(Sites.square(500, 0), Sites.box(-20, -40, 0, -6, 40, 15), Sites.box(6, -40, 0, 20, 40, 15)),
-                List.of(
-                        SurfaceMaterials.get("asphalt"),
-                        SurfaceMaterials.get("brick_rough"),
-                        SurfaceMaterials.get("brick_rough")));
+                List.of(Sites.square(500, 0), houses),
+                List.of(SurfaceMaterials.get("asphalt"), SurfaceMaterials.get("brick_rough")));
         return new SoundSites(world, SoundSites.canyon().power());
     }
 
@@ -89,20 +88,23 @@ class RandomPlacesErrorTest {
         return new SoundSites(world, Collections.nCopies(OctaveBands.COUNT, Sites.LW));
     }
 
-    /** 25 readings each way tell whether many are beyond three errors; in the long form two hundred tell the rest. */
+    /**
+     * 25 readings each way, in the long form two hundred: at most as many are beyond three errors as would be in 999 of
+     * 1,000 repetitions (binomial) if one in a hundred were. The long form also tells the deviations.
+     */
     @Thorough
     @ParameterizedTest
     @EnumSource
     void whereFewRaysContributeMuch(Place place) {
         SoundSites site = place.site.get();
         int count = LongForm.count(25, 200);
-        compare(place.toString(), site, place.drone, place.microphone, count);
-        compare(place + ", places exchanged", site, place.microphone, place.drone, count);
+        compare(place.toString(), site, place.drone, place.microphone, count, SEED);
+        // Other seeds: where both directions are traced from the same end, readings would be the same.
+        compare(place + ", places exchanged", site, place.microphone, place.drone, count, SEED + count);
         assertThat(onFewRays).as("places with too many readings on few rays").isEmpty();
-        assertThat(beyond).as("readings beyond three stated errors").isLessThanOrEqualTo(readings / 50);
+        assertThat(beyond).as("readings beyond three stated errors").isLessThanOrEqualTo(mostByChance(readings, 0.01));
         if (LongForm.IS_ON) {
             assertThat(outside).as("deviations over stated errors").isEmpty();
-            assertThat(tooMany).as("more than one in fifty beyond").isEmpty();
         }
     }
 
@@ -121,8 +123,8 @@ class RandomPlacesErrorTest {
             for (int i = 0; i < count(where); i++) {
                 Position one = places.next(i % 3 == 0);
                 Position other = places.next(i % 3 == 1);
-                compare(where.toString(), site, one, other, LongForm.count(10, 100));
-                compare(where.toString(), site, other, one, LongForm.count(10, 100));
+                compare(where.toString(), site, one, other, LongForm.count(10, 100), SEED);
+                compare(where.toString(), site, other, one, LongForm.count(10, 100), SEED + 100);
             }
         }
 
@@ -171,8 +173,8 @@ class RandomPlacesErrorTest {
         };
     }
 
-    private void compare(String what, SoundSites site, Position drone, Position microphone, int count) {
-        ReadingSpread spread = ReadingSpread.of(site, Criterion.A_WEIGHTED, drone, microphone, count, SEED);
+    private void compare(String what, SoundSites site, Position drone, Position microphone, int count, long seed) {
+        ReadingSpread spread = ReadingSpread.of(site, Criterion.A_WEIGHTED, drone, microphone, count, seed);
         if (spread.isSilent()) {
             return;
         }

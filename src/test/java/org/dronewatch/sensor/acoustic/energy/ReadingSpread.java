@@ -32,7 +32,7 @@ record ReadingSpread(
      * The part of a stated error up to this is assumed, above all for rays that were not drawn ({@link Convergence}),
      * and is too large wherever there are no such rays, dB.
      */
-    static final double ALLOWANCE = 0.048;
+    static final double ALLOWANCE = 0.053;
 
     /** Of means of exact readings, dB. */
     private static final double ROUNDING = 1e-9;
