@@ -154,9 +154,8 @@ final class CalibrateCommand implements Callable<Integer> {
         if (listens && !settings.world().noiseSources().isEmpty()) {
             spec.commandLine()
                     .getErr()
-                    .println(
-                            "warning: world.noiseSources is left out, as are the models through which their sound passes:"
-                                    + " only world.backgroundNoise is used");
+                    .println("warning: world.noiseSources and all models are left out: the only noise is"
+                            + " world.backgroundNoise");
         }
     }
 

@@ -27,8 +27,8 @@ public final class TriangleMesh {
      * @param materials one material number per triangle, an index into the names
      * @param sourceNumbers one number per triangle: its index in the source file, which also counts dropped triangles
      * @param materialNames the names of the materials
-     * @throws IllegalArgumentException when the lengths of the arrays do not match, an index is out of range or a
-     *     coordinate is not finite or beyond {@link #MAX_COORDINATE}
+     * @throws IllegalArgumentException when the lengths of the arrays do not match, an index is out of range, or a
+     *     coordinate is not finite or is beyond {@link #MAX_COORDINATE}
      */
     public TriangleMesh(
             float[] vertices, int[] corners, int[] materials, int[] sourceNumbers, List<String> materialNames) {

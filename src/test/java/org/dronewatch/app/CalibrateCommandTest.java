@@ -304,10 +304,9 @@ class CalibrateCommandTest {
 
         assertThat(microphone.code()).isZero();
         assertThat(microphone.complaints())
-                .contains(
-                        "warning: world.noiseSources is left out, as are the models through which their sound passes: only"
-                                + " world.backgroundNoise is used");
-        assertThat(calibrate("camera", "120 m").err()).doesNotContain("world.noiseSources is left out");
+                .contains("warning: world.noiseSources and all models are left out: the only noise is"
+                        + " world.backgroundNoise");
+        assertThat(calibrate("camera", "120 m").err()).doesNotContain("world.noiseSources");
     }
 
     @Test

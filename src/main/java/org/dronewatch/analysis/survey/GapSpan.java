@@ -8,7 +8,7 @@ import org.dronewatch.analysis.cell.FieldGrid;
 import org.dronewatch.analysis.field.FieldCoverage;
 
 /**
- * A gap that extends over several heights: gaps at neighbouring heights, each above the one before.
+ * A gap that extends over several heights. Its parts are gaps at neighbouring heights, each above the one before.
  *
  * @param lowest the number, in the grid, of the lowest height of the gap
  * @param highest the number of the highest height of the gap

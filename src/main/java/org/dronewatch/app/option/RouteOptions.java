@@ -149,7 +149,7 @@ public final class RouteOptions {
             return "the drone cannot glide; performance.glideRatio is 0";
         }
         return drone.flightLimits().hover()
-                ? "slow flight makes no difference: no sensor of the scene rejects the drone only when it flies slowly"
+                ? "slow flight makes no difference: no sensor of the scene detects the drone at cruise speed but rejects it in slow flight"
                 : "the drone cannot fly slowly; performance.hover is false";
     }
 

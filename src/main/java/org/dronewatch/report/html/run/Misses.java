@@ -52,7 +52,7 @@ final class Misses {
 
     String tables() {
         if (run.pairs().isEmpty()) {
-            return Html.plain("p", "No sensor looks for a drone.");
+            return Html.plain("p", "The scene has no drone, or no sensor that is switched on.");
         }
         String never = table(
                 List.of("sensor", "kind", "drone", "reason"),

@@ -176,7 +176,8 @@ class MissesTest {
 
     @Test
     void withoutPairsNothingIsDetected() throws IOException {
-        assertThat(texts(tables(List.of()), "p")).containsExactly("No sensor looks for a drone.");
+        assertThat(texts(tables(List.of()), "p"))
+                .containsExactly("The scene has no drone, or no sensor that is switched on.");
     }
 
     /** Of 63 receivers, one never detects the drone, and the last one always does. */
