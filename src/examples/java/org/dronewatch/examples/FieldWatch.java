@@ -52,7 +52,7 @@ public class FieldWatch extends Scene {
                         .withDetection(RadarDetection.Chance.DEFAULT));
 
         // Sound that spreads and is absorbed by the air, instead of the thesis's model, which is the default. Tracing
-        // it takes most of the time of a run: this microphone looks only once in 5 s.
+        // it takes most of the time of a run: this microphone looks only once every 5 s.
         add(
                 "microphone",
                 AcousticSettings.at(mast).withPropagation(EnergyModel.DEFAULT).withRate(0.2));

@@ -89,8 +89,8 @@ public final class DetectionIntervals {
     }
 
     /**
-     * The observation at which a sensor finally lost detection of a drone; empty if the sensor never detected the drone
-     * or still detects it.
+     * The observation at which a sensor lost detection of a drone for good; empty if the sensor never detected the
+     * drone or still detects it.
      */
     public Optional<Observation> lostForGood(String sensor, String drone) {
         List<DetectionEvent> events = ofPairs.getOrDefault(List.of(sensor, drone), List.of());

@@ -9,9 +9,9 @@ import org.dronewatch.sensor.Chance;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The looks that a sensor takes within some time while it searches. The search is periodic, and the time may begin at
- * any phase of it. The phase of the first look determines those of all others: within a time shorter than the period, a
- * sensor that turns may never point at the drone. Immutable.
+ * The looks that a sensor takes within a window of time while it searches. The search is periodic, and the window may
+ * begin at any phase of it. The phase of the first look determines those of all others: in a window shorter than the
+ * period, a sensor that turns may never point at the drone. Immutable.
  */
 public final class LookWindow {
     /** Observers whose required probabilities differ by less than this are treated as one. */
@@ -54,9 +54,9 @@ public final class LookWindow {
     }
 
     /**
-     * The probability that the sensor detects a drone within the time, which may begin at each of the phases with equal
-     * probability: the mean, over the phases, of 1 minus the probability that all looks within the time from there on
-     * miss the drone. Where chance decides once per encounter, an observer searches throughout these looks.
+     * The probability that the sensor detects a drone within the window, which may begin at each of the phases with
+     * equal probability: the mean, over the phases, of 1 minus the probability that all looks in a window that begins
+     * there miss the drone. Where chance decides once per encounter, an observer searches throughout these looks.
      *
      * @param looks the probabilities of the looks in some phases, 0 to 1; in the others the probability is 0
      * @param at the numbers of these phases

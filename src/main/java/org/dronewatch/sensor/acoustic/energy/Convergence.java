@@ -6,12 +6,12 @@ import org.dronewatch.sound.Levels;
  * Judges whether the rays traced so far determine a level, and how accurately. For use by one thread.
  *
  * <p>A rare strong ray may change a level by more than all others, and the scatter of a thousand rays does not show it
- * if it is not among them. So the error includes an allowance for such a ray ({@link MissedRays}). Unless it would be
- * weak anyway, the allowance does not depend on what the rays that were drawn contribute, since they contribute little
- * precisely if the strong ones were missed. For the same reason, as long as such a ray would be appreciable, a look
- * does not end because those that were drawn contribute little and scatter little. The constants are those with which
- * 150,000 recorded rays at each of 50 pairs of places, in both directions, drawn again at random, keep to their stated
- * errors.
+ * if it is not among them. So the error includes an allowance for such a ray ({@link MissedRays}). Where rays
+ * contribute little, what those that were drawn contribute does not limit the allowance, unless the ray would be weak
+ * anyway: they contribute little precisely if the strong ones were missed. For the same reason, as long as such a ray
+ * would be appreciable, a look does not end because those that were drawn contribute little and scatter little. The
+ * constants are those with which 150,000 recorded rays at each of 50 pairs of places, in both directions, drawn again
+ * at random, keep to their stated errors.
  */
 final class Convergence {
     /** If rays contribute less than this fraction of what is heard, a reading converges whatever their number. */
@@ -106,8 +106,17 @@ final class Convergence {
     boolean isAccurate(int quantity, double heard, double accuracy) {
         return heard > 0.0
                 && hasPassedWalls()
-                && Levels.ofRatio(1.0 + tally.standardError(quantity) / heard) < accuracy
+                && drawnError(quantity, heard) < accuracy
                 && (isInsignificant(quantity, heard) ? hasShownMost(quantity, heard) : isEnough(quantity));
+    }
+
+    /**
+     * The error of the rays that were drawn alone, dB; infinity as long as nothing is heard.
+     *
+     * @param heard the sum of exact paths and rays
+     */
+    double drawnError(int quantity, double heard) {
+        return heard > 0.0 ? Levels.ofRatio(1.0 + tally.standardError(quantity) / heard) : Double.POSITIVE_INFINITY;
     }
 
     /**

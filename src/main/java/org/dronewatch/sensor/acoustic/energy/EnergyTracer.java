@@ -147,7 +147,7 @@ public final class EnergyTracer {
         }
         int quantity = decisive(source);
         double heard = heard(quantity);
-        double excess = convergence.error(quantity, heard) / model.accuracy();
+        double excess = convergence.drawnError(quantity, heard) / model.accuracy();
         double more = rays * (excess * excess - 1.0);
         return batches(more > 0.0 ? more : convergence.mostNeeded(quantity, heard) - rays);
     }

@@ -171,6 +171,9 @@ class ConvergenceTest {
                 .as("no more than 2 %% is allowed for")
                 .isCloseTo(Math.hypot(Levels.ofRatio(1 + 0.02 / Math.sqrt(3)), FLOOR), within(1e-6))
                 .isLessThan(ReadingSpread.ALLOWANCE);
+        assertThat(convergence.error(BAND, ofOneRay / 0.009))
+                .as("also if it is weak: few contribute")
+                .isCloseTo(Math.hypot(Levels.ofRatio(1 + 0.009 / Math.sqrt(3)), FLOOR), within(1e-6));
         between(1, Set.of());
         assertThat(convergence.error(BAND, ofOneRay / 0.5))
                 .as("where nothing scatters, nothing can be missed")
@@ -212,6 +215,10 @@ class ConvergenceTest {
             trace(4010, 60, fraction * heard);
             assertThat(convergence.isAccurate(BAND, heard, ACCURACY)).isTrue();
         }
+        trace(3990, 0);
+        assertThat(convergence.isAccurate(BAND, heard, ACCURACY)).isFalse();
+        trace(4010, 0);
+        assertThat(convergence.isAccurate(BAND, heard, ACCURACY)).isTrue();
         trace(1000, 400, 0.04 * heard);
         assertThat(convergence.isAccurate(BAND, heard, ACCURACY))
                 .as("many small contributions, from all around")

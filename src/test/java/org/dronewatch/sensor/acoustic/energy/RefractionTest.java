@@ -230,6 +230,24 @@ class RefractionTest {
         assertThat(before).isCloseTo(0, within(0.1));
     }
 
+    /** Rough ground scatters a part of what it reflects on both sides of the border. */
+    @ParameterizedTest
+    @EnumSource(Ground.class)
+    void overRoughGroundThereIsNoStepAtTheBorderEither(Ground ground) {
+        World world = flat(ROUGH, withGradient(-0.1));
+        EnergyTracer tracer = new EnergyTracer(EnergyModel.DEFAULT.withGround(ground), at(0, HEIGHT), 0.4, world);
+        EnergyReading before = tracer.onExactPaths(Sites.broadband(at(358, 10)));
+        for (double distance = 358.25; distance < 370; distance += 0.25) {
+            EnergyReading here = tracer.onExactPaths(Sites.broadband(at(distance, 10)));
+            for (int band = 0; band < OctaveBands.COUNT; band++) {
+                assertThat(here.level(band))
+                        .as("%s m, band %d", distance, band)
+                        .isBetween(before.level(band) - 0.3, before.level(band) + 0.1);
+            }
+            before = here;
+        }
+    }
+
     /** Also over rough ground: it scatters as much of the sound as in still air, whichever way the paths are found. */
     @ParameterizedTest
     @EnumSource(Ground.class)
