@@ -92,7 +92,7 @@ final class PlaceAttacks {
             if (steps[0].equals(SENSORS)
                     && (steps.length == 1 || !plan.settings().keep().contains(steps[1]))) {
                 throw new InputException("--campaign " + PlainText.value(file) + ": '" + PlainText.value(path)
-                        + "' varies, but only sensors that are kept are in every layout");
+                        + "' cannot vary: only sensors named in 'keep' are in every layout");
             }
         }
     }

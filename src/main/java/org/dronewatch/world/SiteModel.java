@@ -10,7 +10,8 @@ import org.dronewatch.terrain.TerrainSettings;
 /**
  * One of the models that a world was merged from.
  *
- * @param file its file, without the prefix of packaged models; empty for a world made from a tree instead of files
+ * @param file its file, without the prefix of packaged models; empty for a world made from a finished k-d tree instead
+ *     of files
  * @param role its role on the site
  */
 public record SiteModel(String file, ModelRole role) {

@@ -153,7 +153,7 @@ class PlaceAttacksTest {
             value = {
                 "drones.intruder.speed | 0 | '--runs=0: runs 0 must be 1 to 1e6'",
                 "drones.intruder.pace  | 5 | 'vary.drones.intruder.pace: '",
-                "sensors.radar.maxRange | 5 | '''sensors.radar.maxRange'' varies, but only sensors that are kept are in every layout'",
+                "sensors.radar.maxRange | 5 | '''sensors.radar.maxRange'' cannot vary: only sensors named in ''keep'' are in every layout'",
             })
     void namesWhatIsWrongBeforeItSearches(String path, int runs, String message) throws IOException {
         Path bad = Files.writeString(

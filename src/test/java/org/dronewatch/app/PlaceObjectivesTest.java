@@ -148,8 +148,8 @@ class PlaceObjectivesTest {
                 .isLessThan(0.999 * routes.get("least_exposure").asDouble());
         assertThat(place.outcome().out())
                 .contains(
-                        "A search for routes past the layout finds none with an exposure below 0.388; the weakest, with"
-                                + " 0.386, was found past other sensors.");
+                        "A search past this layout alone finds no route with an exposure below 0.388; but a route that"
+                                + " was found past other sensors is weaker past this layout, too: 0.386.");
     }
 
     /** Each radar sees half of the directions: one alone warns of nothing from the others. */

@@ -40,7 +40,7 @@ public final class FieldSample {
     }
 
     /**
-     * Assesses the sensors of a field on its courses, on the {@link Workers} of the calling thread: each sensor only
+     * Assesses a field's sensors on each of its courses, on the {@link Workers} of the calling thread: each sensor only
      * where those before it do not detect the drone. Sensors that search come last, since each of their assessments
      * covers many pointings.
      *

@@ -59,7 +59,7 @@ public final class LookWindow {
      * there miss the drone. Where chance decides once per encounter, an observer searches throughout these looks.
      *
      * @param looks the probabilities of the looks in some phases, 0 to 1; in the others the probability is 0
-     * @param at the numbers of these phases
+     * @param at the indices of these phases
      * @return the probability, 0 to 1; 0 or 1 only where this is exact
      */
     public double probability(double[] looks, List<Integer> at) {

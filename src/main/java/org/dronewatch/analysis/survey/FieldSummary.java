@@ -44,7 +44,7 @@ public record FieldSummary(FieldCoverage coverage, List<HeightSummary> heights) 
         return heights.stream().allMatch(one -> one.unknown() == 0);
     }
 
-    /** By sensor, in the order of the scene, the number of known cells at all heights by the sensor's own cause. */
+    /** The number of known cells over all heights, for each sensor (in the scene's order) and each of its causes. */
     public Map<String, Map<Cause, Integer>> causesBySensor() {
         Map<String, Map<Cause, Integer>> all = new LinkedHashMap<>();
         heights.forEach(height -> height.causesBySensor().forEach((sensor, causes) -> {

@@ -127,9 +127,9 @@ public record RoutePlaceResults(
     Optional<String> unsettled() {
         return isSettled
                 ? Optional.empty()
-                : Optional.of("After flights along routes, layouts are compared again at most "
-                        + RouteLayouts.MOST_COMPARED + " times; by then, flights past these layouts still showed weaker"
-                        + " routes than the search had found.");
+                : Optional.of("Layouts are compared again after flights along routes, at most "
+                        + RouteLayouts.MOST_COMPARED + " times. This limit was reached while flights past the layouts"
+                        + " still revealed weaker routes than the search had found.");
     }
 
     @Override

@@ -6,7 +6,7 @@ import org.dronewatch.route.exposure.ExposureField;
 import org.dronewatch.route.exposure.LegMotion;
 
 /**
- * The exposure along a path, {@code E = integral of the rate over the time}, as the field integrates it: by default, by
+ * The exposure along a path, {@code E = integral of the rate over time}, as the field integrates it: by default, by
  * Gaussian quadrature on pieces no longer than half the distance between neighbouring nodes. Immutable and thread-safe.
  */
 public final class RouteExposure {

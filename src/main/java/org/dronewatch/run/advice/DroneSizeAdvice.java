@@ -10,7 +10,7 @@ public record DroneSizeAdvice(SceneSettings settings) {
     /** No drone has such a span, m. */
     private static final double LARGEST = 100.0;
 
-    /** Gives one line for each such drone. */
+    /** Reports a warning for each such drone. */
     public void giveTo(ModelCache models) {
         settings.drones().forEach((id, drone) -> {
             AABB box = models.index(drone.model(), settings.world().tracing())

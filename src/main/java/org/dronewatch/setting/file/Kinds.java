@@ -11,7 +11,7 @@ import org.dronewatch.setting.Choices;
 
 /** The kinds of settings among which a file may choose, and the named settings on which it may build. Immutable. */
 public final class Kinds {
-    /** The kinds of sealed interfaces, and those found on the class path. */
+    /** The kinds that sealed interfaces permit, and those found on the class path. */
     public static final Kinds FOUND = new Kinds(Map.of(), Map.of(), Map.of());
 
     private final Map<Class<?>, Map<String, Class<?>>> registered;

@@ -272,7 +272,8 @@ class CoverageSkinTest {
             if (seen.cause(1, 2, row) == Cause.OUT_OF_VIEW) {
                 out++;
                 assertThat(new CellWords(seen, back.settings(), 1, 2, row).deciding(evidence))
-                        .isEqualTo("12 m above the ground: out of view. 'eye' decides: probability 0, no signal.")
+                        .isEqualTo(
+                                "12 m above the ground: out of view. 'eye' determines the cause: probability 0, no signal.")
                         .isEqualTo(new CellWords(seen, back.settings(), 1, 2, row).deciding());
             }
         }
@@ -378,18 +379,21 @@ class CoverageSkinTest {
             assertThat(field.cause(deciding, height, column, row, course)).isEqualTo(cause);
             assertThat(words.summary()).endsWith(CoverageTable.name(cause));
             assertThat(words.deciding(evidence))
-                    .contains(". '" + field.sensors().get(deciding) + "' decides: probability ");
+                    .contains(". '" + field.sensors().get(deciding) + "' determines the cause: probability ");
             OptionalInt kept = all.deciding(height, column, row);
             assertThat(words.deciding())
                     .startsWith(words.summary())
-                    .contains(kept.isEmpty() ? "." : ". '" + field.sensors().get(deciding) + "' decides: probability ");
+                    .contains(
+                            kept.isEmpty()
+                                    ? "."
+                                    : ". '" + field.sensors().get(deciding) + "' determines the cause: probability ");
             assertIsSameMargin(words.margin(deciding), evidence.sensors().get(deciding));
             if (cause == Cause.HIDDEN_BY_BUILDING) {
                 assertThat(words.deciding(evidence)).contains("hidden by a building (building.obj)");
             }
             if (cause == Cause.DETECTED) {
                 assertThat(words.deciding(evidence))
-                        .contains(": detected. ", "decides: probability 1, ", " above its threshold of ");
+                        .contains(": detected. ", "determines the cause: probability 1, ", " above its threshold of ");
                 assertThat(CellWords.margin(evidence.sensors().get(deciding))).startsWith("+");
             }
         }

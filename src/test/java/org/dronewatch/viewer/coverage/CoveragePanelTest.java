@@ -165,7 +165,7 @@ class CoveragePanelTest {
         assertThat(panel.hint()).contains("2 m above the ground: hidden by a building");
         assertThat(panel.cell())
                 .startsWith("At 2 m above the ground: hidden by a building (building.obj). '")
-                .contains("decides: probability 0");
+                .contains("determines the cause: probability 0");
         onEventThread(() -> {
             panel.heights().choose(1);
             return null;

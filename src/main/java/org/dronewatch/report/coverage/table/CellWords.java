@@ -142,8 +142,9 @@ public final class CellWords {
                 : OptionalInt.empty();
         return sensor.isEmpty()
                 ? summary() + "."
-                : summary() + ". '" + coverage.field().sensors().get(sensor.getAsInt()) + "' decides: probability "
-                        + probability(sensor.getAsInt()) + inWords(kept(sensor.getAsInt())) + ".";
+                : summary() + ". '" + coverage.field().sensors().get(sensor.getAsInt())
+                        + "' determines the cause: probability " + probability(sensor.getAsInt())
+                        + inWords(kept(sensor.getAsInt())) + ".";
     }
 
     private static String inWords(Margin margin) {
@@ -196,8 +197,8 @@ public final class CellWords {
         int sensor = evidence.deciding();
         GapEvidence.Examined examined = evidence.sensors().get(sensor);
         String place = coverage.isUnknown(height, column, row) ? summary() : above() + reason(sensor, examined);
-        return place + ". '" + coverage.field().sensors().get(sensor) + "' decides: probability " + probability(sensor)
-                + inWords(margin(examined), examined) + ".";
+        return place + ". '" + coverage.field().sensors().get(sensor) + "' determines the cause: probability "
+                + probability(sensor) + inWords(margin(examined), examined) + ".";
     }
 
     /** Empty for a margin that is not finite and positive. */

@@ -138,7 +138,7 @@ final class SettingTables {
         if (rule instanceof AlertRule.UnionOfProbabilities union) {
             return format(
                     "as soon as the combined probability of detection over the last %s s reaches %s, assuming that sensors"
-                            + " miss independently (a forecast, which no real system could follow: looks that detect nothing also count)",
+                            + " miss independently (a forecast, not a rule that a real system could apply: looks that detect nothing also count)",
                     number(union.within()), ReadableNumbers.measured(union.probability(), ""));
         }
         return "as soon as any sensor detects a drone" + confirmed;

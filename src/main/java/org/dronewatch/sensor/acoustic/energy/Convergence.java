@@ -9,15 +9,15 @@ import org.dronewatch.sound.Levels;
  * if it is not among them. So the error includes an allowance for such a ray ({@link MissedRays}). Where rays
  * contribute little, what those that were drawn contribute does not limit the allowance, unless the ray would be weak
  * anyway: they contribute little precisely if the strong ones were missed. For the same reason, as long as such a ray
- * would be appreciable, a look does not end because those that were drawn contribute little and scatter little. The
- * constants are those with which 150,000 recorded rays at each of 50 pairs of places, in both directions, drawn again
- * at random, keep to their stated errors.
+ * would be appreciable, a look does not end because those that were drawn contribute little and scatter little, unless
+ * they are very many. The constants are chosen so that looks drawn at random from 150,000 recorded rays at each of 50
+ * pairs of places, in both directions, keep to their stated errors.
  */
 final class Convergence {
     /** If rays contribute less than this fraction of what is heard, a reading converges whatever their number. */
     private static final double INSIGNIFICANT = 0.15;
 
-    /** If they contribute less than this, the first rays suffice, unless one may be missed that is appreciable. */
+    /** If they contribute less than this, the first rays suffice, unless an appreciable ray may have been missed. */
     private static final double HARDLY_ANYTHING = 0.01;
 
     /** A ray that contributes more than this fraction of what is heard is appreciable. */
@@ -30,12 +30,12 @@ final class Convergence {
     private static final double ENOUGH = 20.0;
 
     /**
-     * Where the straight path leads through walls, this many rays must be traced. Also where rays contribute little,
-     * but not hardly anything, or nothing so far, ...
+     * Where the straight path leads through walls, this many rays must be traced. Also where rays contribute between
+     * {@link #HARDLY_ANYTHING} and {@link #INSIGNIFICANT}, or nothing so far, ...
      */
     private static final double SEVERAL_THOUSAND = 3000.0;
 
-    /** ... and make this many effective contributions, unless an appreciable ray may be missed, ... */
+    /** ... and make this many effective contributions, which suffice if no appreciable ray may have been missed, ... */
     private static final double MORE_THAN_ENOUGH = 40.0;
 
     /** ... or else this many: many small contributions, from all around. */
@@ -55,11 +55,11 @@ final class Convergence {
 
     /**
      * Where rays contribute much, at most a {@link #WEAK} ray is added to their scatter, but the error is not below
-     * that for this fraction of the one that may have been missed, ...
+     * what a ray of this fraction of the missed one would cause, ...
      */
     private static final double LEAST_MISSED = 0.7;
 
-    /** ... or, if that is less, of this fraction of what they contribute. */
+    /** ... or, if that is less, one of this fraction of what they contribute. */
     private static final double LEAST_OF_MUCH = 0.3;
 
     /** Root mean square of a contribution that may be anything from 0 to 1. */
@@ -120,7 +120,7 @@ final class Convergence {
     }
 
     /**
-     * How many rays must be traced for a single one not to be appreciable: fewer may suffice.
+     * How many rays must be traced for one that was missed not to be appreciable: fewer may suffice.
      *
      * @param heard the sum of exact paths and rays, greater than 0
      */

@@ -24,8 +24,8 @@ import org.dronewatch.world.World;
  * sound is estimated by ray tracing, with its standard error.
  *
  * @param rays maximum number of rays that one look traces, 1 to 10,000,000
- * @param accuracy tracing stops once the scatter of the rays allows a standard error of the level below this, 0 to
- *     10 dB; with 0, all rays are traced
+ * @param accuracy tracing stops once the statistical part of the standard error of the level is below this, 0 to 10
+ *     dB; with 0, all rays are traced
  * @param roulette fraction of a ray's initial energy below which Russian roulette decides whether the ray survives,
  *     above 0 and below 1
  * @param maxOrder maximum number of surfaces that a ray may hit before it is dropped, 0 to 10,000

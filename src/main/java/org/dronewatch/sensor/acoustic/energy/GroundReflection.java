@@ -109,10 +109,10 @@ final class GroundReflection {
     double atGrazing(int band, double length) {
         int material = plane.material();
         GroundImpedance impedance = materials.get(material).groundImpedance().orElse(null);
+        double reflected = reflected(material, impedance, band, 0.0);
         if (!isCoherent) {
-            return 1.0 + surfaces.mirrored(material, band, 0.0);
+            return 1.0 + reflected;
         }
-        double reflected = impedance != null ? 1.0 : surfaces.reflected(material, band, 0.0);
         GroundImpedance ground = impedance == null ? GroundImpedance.RIGID : impedance;
         // Rays that graze the ground leave and arrive at one angle, and the distances are as the roots of the heights.
         double source = Math.sqrt(Math.max(0.0, plane.firstOverGround()));
@@ -149,7 +149,10 @@ final class GroundReflection {
     }
 
     /** The fraction of the energy that interferes: with an impedance, the interference includes what that absorbs. */
-    private double coherentlyReflected(int material, GroundImpedance impedance, int band, double cosine) {
+    private double reflected(int material, GroundImpedance impedance, int band, double cosine) {
+        if (!isCoherent) {
+            return surfaces.mirrored(material, band, cosine);
+        }
         double left = 1.0 - SurfaceRoughness.scattered(surfaces.scattered(material, band), cosine);
         return impedance != null ? left : left * surfaces.reflected(material, band, cosine);
     }
@@ -184,10 +187,8 @@ final class GroundReflection {
         double others = 0.0;
         double together = 0.0;
         for (int band = 0; band < BANDS; band++) {
-            double reflected = source.spread(air, band, plane.rise(), length)
-                    * (isCoherent
-                            ? coherentlyReflected(material, impedance, band, cosine)
-                            : surfaces.mirrored(material, band, cosine));
+            double reflected =
+                    source.spread(air, band, plane.rise(), length) * reflected(material, impedance, band, cosine);
             others += mirrored.heard(band);
             together += direct.heard(band) + reflected;
             both[band] = isCoherent

@@ -29,7 +29,7 @@ public final class ImageSourceSearch {
     /** Factor by which their spacing shrinks each time: this many rays share a disc. */
     private static final double FINER = 1.0 / Math.sqrt(AROUND);
 
-    /** Image sources that keep less of a ray's energy than this are not refined, nor found by refinement. */
+    /** Image sources that keep less of a ray's energy than this are not refined. */
     private static final double WORTH_A_LOOK = 0.03;
 
     /** An image source found by this few rays has neighbours that were missed. */
@@ -84,7 +84,7 @@ public final class ImageSourceSearch {
         List<double[]> lonely = new ArrayList<>();
         for (int i = 0; i < rays; i++) {
             Directions.ofLattice(i, rays, ray);
-            follow(tree, from, maxOrder, FAINT, lonely);
+            follow(tree, from, maxOrder, lonely);
         }
         // The approximate spacing of the lattice's points.
         double spacing = Math.sqrt(4.0 * Math.PI / rays);
@@ -94,7 +94,7 @@ public final class ImageSourceSearch {
             for (int i = 0; i < lonely.size() && left > 0; i++) {
                 for (int k = 0; k < AROUND; k++, left--) {
                     turn(lonely.get(i), spacing, k);
-                    follow(tree, from, maxOrder, WORTH_A_LOOK, next);
+                    follow(tree, from, maxOrder, next);
                 }
             }
             lonely = next;
@@ -122,7 +122,7 @@ public final class ImageSourceSearch {
                 ray.directionX = direction.x() / length;
                 ray.directionY = direction.y() / length;
                 ray.directionZ = direction.z() / length;
-                follow(tree, from, maxOrder, FAINT, new ArrayList<>());
+                follow(tree, from, maxOrder, new ArrayList<>());
             }
         }
         return tree;
@@ -147,11 +147,8 @@ public final class ImageSourceSearch {
         ray.directionZ = z / whole;
     }
 
-    /**
-     * Follows the ray in its direction until less than a fraction of its energy is left; keeps the direction if the ray
-     * has found an image source that few others have.
-     */
-    private void follow(ImageSourceCandidates tree, Position from, int maxOrder, double least, List<double[]> lonely) {
+    /** Follows the ray in its direction; keeps that if the ray has found an image source that few others have. */
+    private void follow(ImageSourceCandidates tree, Position from, int maxOrder, List<double[]> lonely) {
         double[] direction = {ray.directionX, ray.directionY, ray.directionZ};
         ray.originX = from.x();
         ray.originY = from.y();
@@ -174,7 +171,7 @@ public final class ImageSourceSearch {
                 beyond.pass(ray, triangle, normal, walls, order, left);
             }
             left *= mirrored[world.material(triangle, ray.originX, ray.originY)];
-            if (left < least) {
+            if (left < FAINT) {
                 break;
             }
             ray.standOff(normal, 1.0);

@@ -92,14 +92,14 @@ class ConvergenceTest {
         trace(3000, 300, all);
         double drawn = Math.sqrt(300 * (1 - 300 / 3000.0) + 0.5) / 300;
         assertThat(convergence.error(BAND, all))
-                .as("a third of all: 70 %% of it")
+                .as("a third of all: 70 % of it")
                 .isCloseTo(Levels.ofRatio(1 + 0.7 / 3 / Math.sqrt(3)), within(1e-9));
         assertThat(convergence.error(BAND, 5 * all))
                 .as("also where paths without rays are most of it")
                 .isCloseTo(Levels.ofRatio(1 + 0.7 / 15 / Math.sqrt(3)), within(1e-9));
         trace(3000, 300, all / 2);
         assertThat(convergence.error(BAND, all))
-                .as("two thirds of what rays contribute: 30 %% of that")
+                .as("two thirds of what rays contribute: 30 % of that")
                 .isCloseTo(Levels.ofRatio(1 + 0.15 / Math.sqrt(3)), within(1e-9));
         trace(3000, 300, 40 * all);
         assertThat(convergence.error(BAND, 40 * all))
@@ -168,7 +168,7 @@ class ConvergenceTest {
                 .as("such a ray is one part in a hundred")
                 .isCloseTo(Math.hypot(Levels.ofRatio(1 + 0.01 / Math.sqrt(3)), FLOOR), within(1e-6));
         assertThat(convergence.error(BAND, ofOneRay / 0.5))
-                .as("no more than 2 %% is allowed for")
+                .as("no more than 2 % is allowed for")
                 .isCloseTo(Math.hypot(Levels.ofRatio(1 + 0.02 / Math.sqrt(3)), FLOOR), within(1e-6))
                 .isLessThan(ReadingSpread.ALLOWANCE);
         assertThat(convergence.error(BAND, ofOneRay / 0.009))
@@ -191,7 +191,7 @@ class ConvergenceTest {
         double one = missed.contribution(BAND) / 1000;
         double heard = one / 0.03;
         assertThat(convergence.error(BAND, heard))
-                .as("one part in 33: 2 %% are allowed for")
+                .as("one part in 33: 2 % are allowed for")
                 .isCloseTo(Levels.ofRatio(1 + Math.hypot(ofRays / heard, 0.02 / Math.sqrt(3))), within(1e-9));
         heard = one / 0.011;
         assertThat(convergence.error(BAND, heard))
@@ -199,7 +199,7 @@ class ConvergenceTest {
                 .isCloseTo(Levels.ofRatio(1 + Math.hypot(ofRays / heard, 0.011 / Math.sqrt(3))), within(1e-9));
         heard = one / 0.009;
         assertThat(convergence.error(BAND, heard))
-                .as("one part in 111: 10 %% of what rays contribute")
+                .as("one part in 111: 10 % of what rays contribute")
                 .isCloseTo(Levels.ofRatio(1 + Math.hypot(ofRays, 0.1e-3 / Math.sqrt(3)) / heard), within(1e-9));
     }
 

@@ -25,9 +25,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 /**
  * Readings scatter by no more than they state, wherever drone and microphone are: at random places of six sites, and at
  * places where an independent check found stated errors that were too small. The deviations from the mean are not above
- * 1.25 times the stated errors (root mean square), and at most one reading in fifty is off by more than three stated
- * errors or has not converged. They are not below 0.8 times the stated errors either, less the {@value
- * ReadingSpread#ALLOWANCE} dB that may be an allowance for rays that were not drawn.
+ * 1.25 times the stated errors (root mean square), hardly more than one reading in a hundred is off by more than three
+ * stated errors, and at most one in fifty has not converged. The deviations are not below 0.8 times the stated errors
+ * either, less the {@value ReadingSpread#ALLOWANCE} dB that may be an allowance for rays that were not drawn.
  */
 class RandomPlacesErrorTest {
     private static final long SEED = 20261127;

@@ -18,8 +18,8 @@ import org.junit.jupiter.params.provider.EnumSource;
  * standard deviation to 13 %, the 100 of the long form to 7 %, so what is true of all seeds may fall out of these
  * limits by chance; the seeds are fixed. A stated error of half or twice the scatter is found almost certainly. Each
  * reading is judged by the error that it states itself: on the hill, about one in a hundred is 0.1 to 0.2 dB too high
- * and says so, and the others are a few hundredths of a decibel off at most. In the best band, {@value
- * ReadingSpread#ALLOWANCE} dB of a stated error may be too much: they allow for rays that were not drawn.
+ * and says so, and the others are a few hundredths of a decibel off at most. In the best band, up
+ * to {@value ReadingSpread#ALLOWANCE} dB of a stated error may be too much: an allowance for rays that were not drawn.
  */
 class ReadingErrorTest {
     private static final int SEEDS = LongForm.count(30, 100);
