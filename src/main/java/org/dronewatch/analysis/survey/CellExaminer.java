@@ -19,8 +19,8 @@ public final class CellExaminer {
      * How each sensor detects a drone in a cell, on the course that determines whether the cell is covered.
      *
      * @param sensors the assessment by each sensor, in the order of the field
-     * @param deciding index in the list of the sensor whose cause is the dominant one, as {@link FieldCoverage#deciding}
-     *     defines it, but judged by exact margins
+     * @param deciding index in the list of the sensor whose cause is the dominant one, as
+     *     {@link FieldCoverage#deciding} defines it, but judged by exact margins
      */
     public record CellEvidence(List<GapEvidence.Examined> sensors, int deciding) {
         /** Copies the list: later changes by the caller have no effect. */
