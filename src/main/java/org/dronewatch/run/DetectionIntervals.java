@@ -81,7 +81,7 @@ public final class DetectionIntervals {
     /**
      * The intervals during which a sensor detects at least one drone.
      *
-     * @param end the end of an interval in which a drone is still detected, seconds since the start of the run
+     * @param end when an interval that is still open is taken to end, seconds since the start of the run
      */
     public List<Interval> ofSensor(String sensor, double end) {
         Held held = ofSensors.get(sensor);

@@ -116,7 +116,7 @@ class RouteSlowTest {
         assertThat(seen.code()).isEqualTo(2);
         assertThat(seen.err())
                 .contains(
-                        "--modes powered,slow: slow flight makes no difference: no sensor of the scene rejects the drone");
+                        "--modes powered,slow: slow flight makes no difference: no sensor of the scene detects the drone");
         assertThat(winged.code()).isEqualTo(2);
         assertThat(winged.err()).contains("--modes slow: the drone cannot fly slowly; performance.hover is false");
     }

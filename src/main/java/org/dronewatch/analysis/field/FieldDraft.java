@@ -87,7 +87,7 @@ public final class FieldDraft {
     }
 
     /**
-     * The sensors of a field that are moved, turned or otherwise different in other settings of the same scene.
+     * The sensors of a field whose position, aim or other settings differ in a changed version of the same scene.
      *
      * @throws IllegalArgumentException when a sensor of the field is not enabled in these settings
      */

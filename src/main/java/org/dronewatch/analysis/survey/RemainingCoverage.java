@@ -38,8 +38,8 @@ public record RemainingCoverage(
     }
 
     /**
-     * The number of cells that are covered by the remaining sensors, but not with all of them: without those that fail,
-     * another course may count, on which the others cover the cell.
+     * The number of cells that are covered by the remaining sensors, but not with all sensors: without those that
+     * fail, another course may count, on which the remaining sensors cover the cell.
      */
     public int gained() {
         return remaining - (covered - gone);

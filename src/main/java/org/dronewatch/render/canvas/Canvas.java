@@ -31,7 +31,7 @@ public final class Canvas {
         Arrays.fill(triangle, NOTHING);
     }
 
-    /** A copy to draw on: colours and depths; triangles are needed for the world only and are shared. */
+    /** A copy to draw on: of colours and depths; the triangles, which only drawing the world changes, are shared. */
     public Canvas copy() {
         return new Canvas(this);
     }

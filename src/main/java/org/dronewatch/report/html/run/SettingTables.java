@@ -138,7 +138,8 @@ final class SettingTables {
         if (rule instanceof AlertRule.UnionOfProbabilities union) {
             return format(
                     "as soon as the combined probability of detection over the last %s s reaches %s, assuming that sensors"
-                            + " miss independently (a forecast, not a rule that a real system could apply: looks that detect nothing also count)",
+                            + " miss independently (a forecast, not a rule that a real system could apply: looks that"
+                            + " detect nothing also count)",
                     number(union.within()), ReadableNumbers.measured(union.probability(), ""));
         }
         return "as soon as any sensor detects a drone" + confirmed;
@@ -148,13 +149,13 @@ final class SettingTables {
         FalseAlertRate rate = result.runs().get(0).falseAlertRate();
         String rest = rate.unknown().isEmpty()
                 ? ""
-                : " For the other sensors, none are simulated, since their rates are unknown.";
+                : " For the other sensors, whose rates are unknown, no false alarms are simulated.";
         boolean hasBirds =
                 result.runs().stream().anyMatch(run -> !run.settings().birds().isEmpty());
         String ofBirds = hasBirds ? " Birds that sensors detect are false alarms, too." : "";
         if (!rate.isUnknown()) {
-            return "False alarms occur at the stated rates, which depend on weather and light only where a rate is stated for"
-                    + " them, and not on the site." + rest + ofBirds;
+            return "Sensors whose rate of false alarms is stated raise them at that rate, which depends on weather and light"
+                    + " only if a rate is stated for these conditions, and not on the site." + rest + ofBirds;
         }
         return hasBirds
                 ? "Birds that sensors detect are the only false alarms: no sensor's false-alarm rate is known."

@@ -99,7 +99,7 @@ class HtmlReportTest {
                 .doesNotContain(noBirds);
         assertThat(limitations("meadow")).contains(noBirds).doesNotContain(noClutter);
         assertThat(limitations("false-alarms"))
-                .anyMatch(text -> text.startsWith("False alarms occur at the stated rates"))
+                .anyMatch(text -> text.startsWith("Sensors whose rate of false alarms is stated"))
                 .noneMatch(text -> text.contains("too."));
     }
 
