@@ -222,6 +222,6 @@ class CoverageWindowTest {
         // What the field keeps is shown at once; the building is found by a look afterwards.
         await("the building", () -> panel.switches().reasons().contains("hidden by a building (yard.obj)"));
         String cell = onEventThread(() -> panel.cell());
-        assertThat(cell).startsWith("At 2 m above the ground: ").contains("decides");
+        assertThat(cell).startsWith("At 2 m above the ground: ").contains("determines the cause");
     }
 }
