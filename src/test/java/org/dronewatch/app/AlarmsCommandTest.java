@@ -81,7 +81,8 @@ class AlarmsCommandTest {
                 .filter(row -> row.contains(",false,") && row.contains(",radio,"))
                 .count();
         assertThat((double) count).isCloseTo(200.0, within(4.0 * Math.sqrt(200.0)));
-        assertThat(Files.readString(results.resolve("report.html"))).contains("only where a rate is stated for them");
+        assertThat(Files.readString(results.resolve("report.html")))
+                .contains("only if a rate is stated for these conditions");
     }
 
     /** What the command prints of the scene with some words replaced. */
