@@ -140,11 +140,20 @@ final class Convergence {
         double received = tally.received(quantity);
         double drawn = tally.standardError(quantity);
         double one = missed.contribution(quantity) / tally.rays();
-        if (!isInsignificant(quantity, heard)) {
-            double ofRays = Math.hypot(drawn, Math.min(one, WEAK * heard) * ROOT_MEAN_SQUARE);
-            double least = Math.min(LEAST_MISSED * one, LEAST_OF_MUCH * received) * ROOT_MEAN_SQUARE;
-            return Levels.ofRatio(1.0 + Math.max(ofRays, least) / heard);
-        }
+        return isInsignificant(quantity, heard)
+                ? errorOfLittle(quantity, heard, received, drawn, one)
+                : errorOfMuch(heard, received, drawn, one);
+    }
+
+    /** Where rays contribute much. */
+    private static double errorOfMuch(double heard, double received, double drawn, double one) {
+        double ofRays = Math.hypot(drawn, Math.min(one, WEAK * heard) * ROOT_MEAN_SQUARE);
+        double least = Math.min(LEAST_MISSED * one, LEAST_OF_MUCH * received) * ROOT_MEAN_SQUARE;
+        return Levels.ofRatio(1.0 + Math.max(ofRays, least) / heard);
+    }
+
+    /** Where rays contribute little. */
+    private double errorOfLittle(int quantity, double heard, double received, double drawn, double one) {
         double most = MOST_MISSED * heard;
         if (one < WEAK * heard && !areFew(quantity)) {
             most = MISSED_OF_MANY * received;

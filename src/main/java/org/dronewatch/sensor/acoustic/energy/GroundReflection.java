@@ -148,7 +148,7 @@ final class GroundReflection {
                         ground, air.soundSpeed(), straight, length, source, sensor, plane.unevenness(), turbulence);
     }
 
-    /** The fraction of the energy that interferes: with an impedance, the interference includes what that absorbs. */
+    /** The fraction of the energy that is reflected; with an impedance, the interference includes what is absorbed. */
     private double reflected(int material, GroundImpedance impedance, int band, double cosine) {
         if (!isCoherent) {
             return surfaces.mirrored(material, band, cosine);
