@@ -215,7 +215,8 @@ public record ThermalSettings(
         String own = "set its 'transmission' for such weather";
         return PictureSensorSettings.describe(
                         "probability",
-                        "For thermal cameras the whole drone has a single temperature difference, whatever its background.",
+                        "For thermal cameras, the whole drone has a single temperature difference, whatever its"
+                                + " background.",
                         positioner)
                 .withWeakness("too small or too cool")
                 .withIgnoredConditions(Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own));
