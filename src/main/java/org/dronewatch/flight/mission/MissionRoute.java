@@ -86,8 +86,8 @@ final class MissionRoute {
     }
 
     /**
-     * Straight up at home, and level to the place from there; a fixed-wing flies slantwise, but soon enough at the same
-     * height.
+     * Straight up at home, and then level to the place. A real fixed-wing aircraft climbs at an angle instead, but soon
+     * reaches the same height.
      */
     private void takeOff(MissionStep.TakeOff up) {
         EarthPoint start = here.isEmpty() ? home(up.where()) : null;
@@ -169,7 +169,7 @@ final class MissionRoute {
                                                 () -> new IllegalArgumentException(
                                                         "no surface at "
                                                                 + Places.inWords(latitude, longitude)
-                                                                + ", from which its height is measured: the site has a hole or ends there"))
+                                                                + " from which to measure the height: the site has a hole or ends there"))
                                 + height.metres());
         };
     }
@@ -192,7 +192,7 @@ final class MissionRoute {
             double height = planned.orElseThrow(
                     () -> new IllegalArgumentException(
                             "no surface at " + Places.inWords(home.latitude(), home.longitude())
-                                    + ", the launch position, from which its height is measured: the site has a hole or ends there"));
+                                    + ", the launch position, from which to measure heights: the site has a hole or ends there"));
             warnings.accept(String.format(
                     Locale.ROOT,
                     "%s: the launch position is in a hole of the site or beyond its edge: heights are measured from %.1f m above sea level, as the plan states",
