@@ -185,7 +185,7 @@ public record FalseAlertRate(
             }
             double s = rate.probability();
             int needed = (hits + lasting - 1) / lasting;
-            double others = rate.perPlace() * (looks + lasting - 1.0);
+            double others = rate.perCell() * (looks + lasting - 1.0);
             return new Confirmed(
                     perLook * s * atLeast(needed - 1, others),
                     true,

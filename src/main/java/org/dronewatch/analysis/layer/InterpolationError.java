@@ -12,8 +12,8 @@ import java.util.Optional;
  * @param heldOut number of positions at which levels were traced to measure the error
  * @param percentile95 the 95th percentile of the absolute error at the held-out positions, dB
  * @param ofLooks root mean square of the standard errors of the levels traced at the held-out positions, dB; a look
- *     without interpolation has the same standard error, so interpolating between more positions would not make a field
- *     more accurate
+ *     without interpolation has the same standard error, so interpolating between more positions cannot make a field
+ *     more accurate than this
  * @param inSight bounds on the error where the drone is in sight of the sensor
  * @param hidden bounds on the error where the drone is hidden from the sensor
  */

@@ -12,7 +12,10 @@ import org.dronewatch.world.Places;
 
 /** Finds where the steps of a mission lead on a site. For a single use. */
 final class MissionRoute {
-    /** Largest difference between the heights of the launch in plan and site that causes no warning, m. */
+    /**
+     * Up to this difference between the heights of the launch position in the plan and on the site, no warning is
+     * given, m.
+     */
     private static final double ODD = 20.0;
 
     /** Points nearer to each other than this are the same, m. */
