@@ -75,6 +75,11 @@ public record SiteAdvice(SceneSettings settings, World world) {
             target.accept("no acoustic surface is assigned to " + String.join(", ", leftOver) + ": treated as '"
                     + surfaces.defaultSurface() + "'; world.surfaces.materials can assign other surfaces");
         }
+        List<String> unmatched = surfaces.unmatched(world.materialNames());
+        if (!unmatched.isEmpty()) {
+            target.accept("world.surfaces.materials: the models have no material named "
+                    + String.join(" or ", unmatched) + "; they have " + String.join(", ", world.materialNames()));
+        }
         surfaces.unused(world.materialNames())
                 .forEach(name -> target.accept("world.surfaces.own." + name
                         + " has no effect: no material of the models uses this surface; the materials are "
