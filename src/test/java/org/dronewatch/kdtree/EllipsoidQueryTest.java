@@ -48,6 +48,7 @@ class EllipsoidQueryTest {
                 Set<Integer> found = new HashSet<>();
                 for (int i = 0; i < query.count(); i++) {
                     assertThat(found.add(query.triangle(i))).as("once").isTrue();
+                    assertIsNear(mesh, query, i, a, b, sum, atPlane ? normal : null);
                 }
                 answered += query.count();
                 for (int i = 0; i < mesh.triangleCount(); i++) {
@@ -60,6 +61,39 @@ class EllipsoidQueryTest {
         }
         assertThat(inside).isGreaterThan(2000);
         assertThat(answered).as("boxes, not all triangles").isLessThan(2 * inside);
+    }
+
+    /** The box of a triangle found reaches into the ellipsoid, and the triangle itself into the plane if there is one. */
+    private static void assertIsNear(
+            TriangleMesh mesh, EllipsoidQuery query, int found, Position a, Position b, double sum, Position normal) {
+        int triangle = query.triangle(found);
+        Position low = corner(mesh, triangle, 0);
+        Position high = low;
+        double lowest = Double.POSITIVE_INFINITY;
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < 3; k++) {
+            Position at = corner(mesh, triangle, k);
+            assertThat(new Position(
+                            query.coordinate(found, k, 0),
+                            query.coordinate(found, k, 1),
+                            query.coordinate(found, k, 2)))
+                    .isEqualTo(at);
+            low = new Position(Math.min(low.x(), at.x()), Math.min(low.y(), at.y()), Math.min(low.z(), at.z()));
+            high = new Position(Math.max(high.x(), at.x()), Math.max(high.y(), at.y()), Math.max(high.z(), at.z()));
+            lowest = normal == null ? 0 : Math.min(lowest, at.minus(a).dot(normal));
+            highest = normal == null ? 0 : Math.max(highest, at.minus(a).dot(normal));
+        }
+        assertThat(lowest).isLessThanOrEqualTo(1.1e-7);
+        assertThat(highest).isGreaterThanOrEqualTo(-1.1e-7);
+        assertThat(a.distance(nearest(a, low, high)) + b.distance(nearest(b, low, high)))
+                .isLessThanOrEqualTo(sum * (1 + 1e-9));
+    }
+
+    private static Position nearest(Position point, Position low, Position high) {
+        return new Position(
+                Math.max(low.x(), Math.min(high.x(), point.x())),
+                Math.max(low.y(), Math.min(high.y(), point.y())),
+                Math.max(low.z(), Math.min(high.z(), point.z())));
     }
 
     private static boolean reaches(

@@ -179,6 +179,41 @@ class PointTargetsTest {
                 .isBetween(0.5, 3.0);
     }
 
+    /**
+     * What cannot be reached is sought where noise is confirmed most often: on either side of that threshold there are
+     * fewer false alarms. Without neighbours (a gate of one pixel), that is where M of N + 1 frames are marked.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 1, 1", "3, 5, 1", "5, 5, 1", "2, 3, 9", "3, 5, 9", "1, 4, 9", "5, 5, 25", "2, 12, 25", "4, 9, 2"})
+    void theLowestThresholdRaisesTheMostFalseAlarms(int hits, int frames, int gate) {
+        PointTargets greedy =
+                rule(hits, frames, gate).withFalseAlarmsPerHour(1e9).withFrameRate(1.0);
+        double threshold = greedy.threshold(1);
+        double most = greedy.falseAlarmsPerHour(threshold, 1);
+
+        for (double off : new double[] {0.003, 0.03, 0.3}) {
+            assertThat(greedy.falseAlarmsPerHour(threshold - off, 1)).isLessThan(most);
+            assertThat(greedy.falseAlarmsPerHour(threshold + off, 1)).isLessThan(most);
+        }
+        if (gate == 1) {
+            assertThat(NormalTail.above(threshold)).isCloseTo(hits / (frames + 1.0), within(1e-9));
+        }
+    }
+
+    /** A thousand frames in a look, and a thousand false alarms at the same time, are the most that is allowed. */
+    @Test
+    void limitsCanBeReachedButNotExceeded() {
+        PointTargets fast = PointTargets.DEFAULT.withFrameRate(1000.0);
+        fast.checkFrames(1.0);
+        assertThatIllegalArgumentException().isThrownBy(() -> fast.checkFrames(Math.nextDown(1.0)));
+
+        // Each lasts for three looks: 1000 at a time are 25 / 3 * 1000 a second.
+        PointTargets busy = PointTargets.DEFAULT.withFalseAlarmsPerHour(3e7);
+        busy.checkRate(25.0);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> busy.withFalseAlarmsPerHour(Math.nextUp(3e7)).checkRate(25.0));
+    }
+
     @Test
     void moreHitsThanFramesAreRefused() {
         assertThatIllegalArgumentException()

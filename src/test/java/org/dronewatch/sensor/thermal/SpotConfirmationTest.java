@@ -26,7 +26,18 @@ class SpotConfirmationTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 1, 1", "5, 1, 1", "5, 1, 3", "6, 2, 3", "1, 3, 5", "5, 3, 5", "8, 3, 5", "7, 5, 5", "3, 8, 10"})
+    @CsvSource({
+        "1, 1, 1",
+        "5, 1, 1",
+        "5, 1, 3",
+        "6, 2, 3",
+        "1, 3, 5",
+        "5, 3, 5",
+        "8, 3, 5",
+        "7, 5, 5",
+        "3, 8, 10",
+        "5, 6, 12"
+    })
     void followsEverySequence(int windows, int hits, int frames) {
         for (double mark : MARKS) {
             assertThat(SpotConfirmation.inOneOf(windows, hits, frames, mark))
