@@ -90,6 +90,9 @@ class AirAndBackgroundTest {
         assertThat(TargetTask.DEFAULT.resolved(view(300, light, GREEN, SKY))).isGreaterThan(9.0);
         assertThat(TargetTask.DEFAULT.withGroundContrast(0.3).resolved(view(300, light, GREEN, 0.0)))
                 .isCloseTo(10.0 * (1.0 - 0.02 / (0.3 * light.contrastLeft(300, 0.5))), within(1e-12));
+        assertThat(TargetTask.DEFAULT.withGroundContrast(0.3).resolved(view(300, light, GREEN, SKY)))
+                .as("against the sky, the contrast is not that against the ground")
+                .isEqualTo(TargetTask.DEFAULT.resolved(view(300, light, GREEN, SKY)));
     }
 
     /** Where nobody states turbulence, an aperture or the ground's brightness, all is as it was, bit for bit. */
@@ -209,6 +212,20 @@ class AirAndBackgroundTest {
         assertThat(look(world, high, new Position(0, -20, -3)).background())
                 .as("hidden below the ground: no view")
                 .isEqualTo(SKY);
+    }
+
+    /** The ground beyond the site lies at the height of its lowest point, 30 m below the ground of the others. */
+    @Test
+    void beyondTheSiteTheGroundLiesAtItsLowestPoint() {
+        World deep = World.of(Shapes.ground(100, -30));
+        World high = World.of(Shapes.ground(100, 12));
+
+        assertThat(look(deep, new Position(0, 0, 20), new Position(0, -80, 10)).background())
+                .as("10 m down in 80 m, 40 m more to the ground")
+                .isCloseTo(4 * Math.hypot(80, 10), within(1e-3));
+        assertThat(look(high, new Position(0, 0, 32), new Position(0, -80, 22)).background())
+                .as("10 m more to the ground")
+                .isCloseTo(Math.hypot(80, 10), within(1e-3));
     }
 
     @Test

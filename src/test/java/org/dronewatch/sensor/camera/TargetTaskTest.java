@@ -249,6 +249,34 @@ class TargetTaskTest {
                 .isEqualTo(Double.POSITIVE_INFINITY);
     }
 
+    /** Half of the sun is above the horizon; one whose centre is a hair below is not seen, whatever its size. */
+    @Test
+    void theSunBlindsDownToTheHorizon() {
+        World field = World.of(
+                Shapes.rectangle(new Position(-50, -50, 0), new Position(50, -50, 0), new Position(50, -45, 0)));
+        Position ahead = new Position(0, 20, 2);
+        Light rising = Light.DAY.withSun(new Light.Sun(0, 0));
+        Light below = Light.DAY.withSun(new Light.Sun(0, -1e-9));
+
+        DroneView blinding = look(field.withLight(rising), ahead, new Position(0, 0, 0));
+        assertThat(blinding.sunAngle()).isCloseTo(0.0, within(1e-7));
+        assertThat(TargetTask.DEFAULT.value(blinding)).isZero();
+        assertThat(look(field.withLight(below), ahead, new Position(0, 0, 0)).sunAngle())
+                .isEqualTo(Double.POSITIVE_INFINITY);
+    }
+
+    /** An exclusion angle excludes what is within it, not what is at it; 0 excludes nothing. */
+    @Test
+    void withoutAnExclusionAngleTheSunDoesNotBlind() {
+        assertThat(PERFECT.resolved(new DroneView(400, 100, 1000, 0, Light.DAY, 0.0)))
+                .isEqualTo(PERFECT.resolved(view(400, 100, 0, Light.DAY)));
+        double glare = TargetTask.DEFAULT.sunExclusionAngle();
+        assertThat(TargetTask.DEFAULT.resolved(new DroneView(400, 100, 1000, 0, Light.DAY, glare)))
+                .isPositive();
+        assertThat(TargetTask.DEFAULT.resolved(new DroneView(400, 100, 1000, 0, Light.DAY, Math.nextDown(glare))))
+                .isZero();
+    }
+
     @Test
     void limitsAreChecked() {
         assertThatIllegalArgumentException().isThrownBy(() -> TargetTask.DEFAULT.withProbability(1.0));
