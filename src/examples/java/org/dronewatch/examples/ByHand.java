@@ -60,13 +60,16 @@ public final class ByHand {
         return Double.isInfinite(nearest) ? OptionalDouble.empty() : OptionalDouble.of(nearest);
     }
 
-    /** The part of a ray within a box, m; empty if the ray misses the box. */
+    /** The distances at which a ray enters and leaves a box, m; empty if the ray misses the box. */
     static List<Double> withinABox(Ray ray, AABB box) {
         double[] interval = new double[2];
         return IntersectionHandler.rayBox(ray, box, interval) ? List.of(interval[0], interval[1]) : List.of();
     }
 
-    /** The packaged quadrotor, 20 m to the north, after it has turned about its axis to the right for two seconds. */
+    /**
+     * The packaged quadrotor, 20 m to the north, after it has pitched for two seconds, that is, turned about the axis
+     * that points to its right.
+     */
     static Drone turnedDrone(double rate) {
         return DroneSettings.of(ModelSettings.packaged("quadrotor.obj"), Hover.at(new Position(0, 0, 0)))
                 .create("quadrotor", Path.of(""))

@@ -14,7 +14,9 @@ import org.dronewatch.route.search.RouteProblem;
 import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.route.search.WeakestRoutes;
 
-/** The weakest route through a field of exposure of one's own, without a scene: 2 km eastward, 30 m above a plain. */
+/**
+ * The weakest route through a field of exposure that you define, without a scene: 2 km eastward, 30 m above a plain.
+ */
 public final class RouteThroughAField {
     private RouteThroughAField() {}
 
@@ -45,9 +47,9 @@ public final class RouteThroughAField {
      * Searches from the western edge to the point [2000, 0].
      *
      * @param field how exposed the drone is
-     * @param airframe which determines how fast it climbs and turns
+     * @param airframe type of the drone's airframe, which determines how fast it climbs and turns
      * @param cruise its cruise speed, m/s
-     * @param response the time before the arrival in which a detection is too late, s
+     * @param response the time before arrival during which a detection comes too late, s
      */
     public static WeakestRoute search(ExposureField field, Airframe airframe, double cruise, double response) {
         RouteGrid grid = RouteGrid.level(0.0, -200.0, 10.0, 201, 41, 30.0);

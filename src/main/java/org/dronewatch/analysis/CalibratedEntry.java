@@ -119,8 +119,9 @@ public record CalibratedEntry(
     }
 
     /**
-     * The settings of a drone's sound by which the sensor hears it; none if it does not listen. Unless they alone state
-     * the emission, all of them count, and the emission itself, which may use any of them.
+     * The settings of a drone's sound that affect how the sensor hears the drone; none if the sensor does not listen.
+     * Unless these settings alone determine the sound, all of them count, as does the emission itself, which may use
+     * any of them.
      */
     private List<String> heard(DroneSettings flying) {
         SensorSettings<?> fitted = fit.sensor();

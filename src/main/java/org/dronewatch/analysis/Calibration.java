@@ -100,7 +100,7 @@ public record Calibration(
                 if (Double.isNaN(ranges.get(best))) {
                     throw outOfReach(scale, range);
                 }
-                // The next whole number may be closer, from below.
+                // The next whole number may give a range closer to the requested one, from below.
                 double next = scale.value(Math.min(hardest + 1, scale.last()));
                 double nextRange = greatestByCount(next, range);
                 ranges.put(next, nextRange);

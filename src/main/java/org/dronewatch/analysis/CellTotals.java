@@ -9,7 +9,7 @@ import org.dronewatch.sensor.SensorSettings;
  *
  * @param byKind whether any sensor of a kind detects the drone
  * @param reached whether any sensor detects the drone
- * @param unknown whether no sensor certainly detects the drone, and detection is unknown
+ * @param unknown whether detection is unknown, as defined by {@link Coverage#isUnknown}
  */
 record CellTotals(Map<String, boolean[]> byKind, boolean[] reached, boolean[] unknown) {
 

@@ -109,7 +109,7 @@ public final class Coverage {
     }
 
     /**
-     * Whether detection in a cell is unknown: no sensor certainly detects the drone there, and the ground in the cell,
+     * Whether detection in a cell is unknown: no sensor is known to detect the drone there, and the ground in the cell,
      * or below the line of sight from some sensor, is not known. In a world built from models, cells without ground are
      * empty, not unknown.
      */

@@ -140,7 +140,8 @@ final class Prober {
     }
 
     /**
-     * Whether a cell has ground, and all of it below the line of sight is known; if not, this is the answer.
+     * Whether a cell has ground, and all ground below the line of sight to it is known; if not, {@code found} then
+     * holds the answer for the cell.
      *
      * @param at its position; null without ground
      */
@@ -182,7 +183,10 @@ final class Prober {
                 .anyMatch(this::isDetected);
     }
 
-    /** By the probability, if it is stated: an observer has had no time to search in a single look. */
+    /**
+     * Judged by the probability, if it is stated or chance decides once per encounter: in a single look, an observer
+     * has had no time to search.
+     */
     private boolean isDetected(Observation seen) {
         return settings.chance() == Chance.PER_ENCOUNTER || seen.statesProbability()
                 ? seen.probability() >= EVEN_CHANCE

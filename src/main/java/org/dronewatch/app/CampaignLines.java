@@ -153,7 +153,7 @@ final class CampaignLines {
             Proportion.Interval interval = difference.interval(CONFIDENCE);
             out.printf(
                     Locale.ROOT,
-                    "%s: %s - %s = %+.1f points (%+.1f to %+.1f), only %s in %,d, only %s in %,d of %,d cases,"
+                    "%s: %s minus %s = %+.1f points (%+.1f to %+.1f), %s alone in %,d, %s alone in %,d of %,d cases,"
                             + " p = %s%s%n",
                     word(pair.outcome()),
                     pair.a(),

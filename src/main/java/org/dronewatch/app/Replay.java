@@ -19,8 +19,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 
 /**
- * A command of a {@code provenance.json} as it may be run again: only what decides the results is taken over, no file
- * is written but in the new directory, and no class is loaded by its name.
+ * A command of a {@code provenance.json} as it may be run again: only what affects the results is taken over, files are
+ * written only into the new directory, and no class is loaded by its name.
  */
 final class Replay {
     private static final String RUN = "run";
@@ -31,7 +31,7 @@ final class Replay {
 
     private static final String SHARD = "--shard";
 
-    /** The options that decide the results. */
+    /** The options that affect the results. */
     private static final Set<String> KEPT = Set.of(
             "--set",
             "--with",

@@ -14,8 +14,8 @@ import org.dronewatch.kdtree.StackTraversal;
 /**
  * Walks a {@link Bvh}: a step tests the boxes of eight children at once in single precision, widened by more than its
  * roundings; a block tests four triangles at once, in double precision by the arithmetic of
- * {@code TriangleIntersection}. It hits what the kd-tree hits; where triangles meet in the very point, it reports the
- * nearest by the last bit, then the one with the lowest number.
+ * {@code TriangleIntersection}. It hits what the kd-tree hits; where triangles meet at the very point that a ray hits,
+ * it reports the nearest, even if only the last bit differs; of equally near ones, the one with the lowest number.
  *
  * <p>For incoherent rays: in a kd-tree they take many narrow steps, and processors mispredict half of them. Rays whose
  * numbers single precision cannot bound are left to the kd-tree.
@@ -69,7 +69,9 @@ final class BvhTraversal extends RayTracer {
     private int winnerIndex;
     private int winnerBlock;
 
-    /** The block with the triangle that hid the last segment of which any hit was asked; none if nothing did. */
+    /**
+     * The block with the triangle that blocked the segment of the most recent query for any hit; none if nothing did.
+     */
     private int obstacle = BvhNode.NONE;
 
     BvhTraversal(KDTree tree, Bvh wide) {

@@ -10,8 +10,8 @@ import org.dronewatch.kdtree.RayTracer;
 /**
  * Tests all of a few triangles, four at once, by the arithmetic of {@code TriangleIntersection}, and without a branch:
  * which wall of a room a ray hits cannot be predicted, and a wrong guess costs as much as testing another four. It hits
- * what the kd-tree hits; where triangles meet in the very point, it reports the nearest by the last bit, then the one
- * with the lowest number, as {@link BvhTraversal} does.
+ * what the kd-tree hits; where triangles meet at the very point that a ray hits, it chooses among them as
+ * {@link BvhTraversal} does.
  */
 final class FewTrianglesTraversal extends RayTracer {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;

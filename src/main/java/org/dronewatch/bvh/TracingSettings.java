@@ -6,12 +6,12 @@ import org.dronewatch.setting.Limits;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * How the trees of the models' triangles are built, and how rays traverse them. These settings affect speed, not
- * results.
+ * How the trees for tracing rays are built from the models' triangles, and how rays traverse these trees. These
+ * settings affect speed, not results.
  *
  * @param traversal method of traversal: {@code fastest}, or one ray at a time, even for images and sound ({@code stack}
  *     or {@code sequential})
- * @param costs costs of a traversal step and of a triangle test assumed by the surface area heuristic
+ * @param costs costs that the surface area heuristic assumes for a traversal step and for a triangle test
  */
 public record TracingSettings(RayTraversal traversal, SahCost costs) {
     /** The fastest traversal, with trees built with the library's costs. */

@@ -92,7 +92,7 @@ public final class CampaignPlan implements Cases {
         new AskedOutcomes(this).check();
     }
 
-    /** The table, too, may not hold what a variant sets, or what is drawn. */
+    /** Checks that no column of the table is a setting that a variant sets or whose values are drawn. */
     private void checkPaths() {
         try {
             settings.variants().forEach((name, changes) -> CampaignSettings.checkFixed(name, changes, table.paths()));
@@ -281,7 +281,7 @@ public final class CampaignPlan implements Cases {
         return memory;
     }
 
-    /** The value of a setting that varies at a quantile of its distribution, from 0, below 1. */
+    /** For a setting that varies, the value at a quantile of its distribution, 0 or more and below 1. */
     String value(String path, double quantile) {
         return settings.vary().get(path).value(quantities.get(path), quantile);
     }

@@ -229,7 +229,7 @@ public final class Drone {
 
     /**
      * How much longer a matrix makes a vector, at most: the root of a bound on the largest eigenvalue of its transpose
-     * times itself (Gershgorin). Of a rotation, the same number whatever its rounding.
+     * times itself (Gershgorin). For a rotation, it is the same number regardless of rounding.
      */
     private static double stretch(Matrix4d m) {
         double xx = m.m00 * m.m00 + m.m10 * m.m10 + m.m20 * m.m20;

@@ -198,7 +198,7 @@ public final class SteeredFlight implements FlownPath {
      */
     @Override
     public synchronized FlightState at(double time) {
-        // Fractions of a run that are added up may end beside its end.
+        // The sum of the fractions of a run may differ from its duration by rounding.
         if (time > now * (1.0 + 1e-12)) {
             throw new IllegalStateException(
                     "where a steered drone will be at " + time + " s is not known at " + now + " s");

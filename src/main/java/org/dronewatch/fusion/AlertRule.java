@@ -109,11 +109,11 @@ public sealed interface AlertRule
 
     /**
      * An alert as soon as the probability that at least one of the sensors detects the drone in its most recent look is
-     * high enough: {@code 1 - (1-p1)(1-p2)...}, where p1, p2, ... are the detection probabilities of these looks. This
-     * is a forecast for scoring ({@link ForecastLog}), not a rule that a system could follow: looks that detect nothing
-     * count with their probabilities, which only the simulation knows. It assumes that the sensors' misses are
-     * independent; if one hill or one bank of fog hides the drone from all of them, it is too optimistic. The
-     * probability of a sensor with a fixed threshold is 0 or 1, and that of a false alarm is 1.
+     * high enough; for three sensors whose looks have the detection probabilities p1, p2 and p3, it is {@code 1 -
+     * (1-p1)(1-p2)(1-p3)}. This rule is a forecast for scoring ({@link ForecastLog}), not a rule that a system could
+     * follow: looks that detect nothing count with their probabilities, which only the simulation knows. It assumes
+     * that the sensors' misses are independent; if one hill or one bank of fog hides the drone from all of them, it is
+     * too optimistic. The probability of a sensor with a fixed threshold is 0 or 1, and that of a false alarm is 1.
      *
      * @param probability the combined probability that raises the alert, above 0 and at most 1
      * @param within time for which a look remains valid, 0 to 3600 s

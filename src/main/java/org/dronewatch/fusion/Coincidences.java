@@ -6,11 +6,11 @@ import org.dronewatch.fusion.FalseAlertRate.Confirmed;
 import org.dronewatch.sensor.alarm.AzimuthSpan;
 
 /**
- * How often confirmed false alarms of several sensors come together by chance: whenever one is confirmed while the
- * number of other sensors that have one that still counts, and agrees in bearing, is one less than the rule requires.
- * One counts from its confirmation for as long as it stays confirmed and the rule's time after that. For two sensors
- * this is the rate of accidental coincidences, {@code 2 a b T}, of which there are fewer where they are so frequent
- * that one false alarm meets several.
+ * How often confirmed false alarms of several sensors coincide by chance: how often one is confirmed while the number
+ * of other sensors with a false alarm that still counts, and agrees in bearing, is one less than the rule requires. A
+ * false alarm counts for as long as it stays confirmed, and for the rule's time after that. For two sensors with a and
+ * b confirmed false alarms per second, each of which counts for the time T, this is the rate of accidental
+ * coincidences, {@code 2 a b T}; it is lower where false alarms are so frequent that one of them meets several.
  */
 final class Coincidences {
     /** Looks over which the number of another sensor's looks within a time is averaged. */

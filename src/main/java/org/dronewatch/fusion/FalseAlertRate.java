@@ -24,10 +24,10 @@ import org.dronewatch.world.Weather;
  * <p>Let s be the probability that a false alarm begins in a given cell of the sensor's field of view in a given look,
  * K the number of these cells, f the looks per second, and let the confirmation require detections in M of N looks.
  * False alarms that last for one look are confirmed {@code K f C(N-1, M-1) s^M (1-s)^(N-M+1)} times a second (C is the
- * binomial coefficient): the rate of looks that confirm a false alarm which the look before did not confirm. Those that
- * last for L looks confirm themselves if L is M or more, {@code K f s (1-s)^(N+L-1)} times a second. If L is above one
- * but below M, J = M / L of them, rounded up, must begin in the same cell within N + L - 1 looks; an upper bound on the
- * rate is {@code K f s P(Poisson(s' (N+L-1)) >= J-1)} with s' = -ln(1-s).
+ * binomial coefficient): the rate of looks that confirm a false alarm which the look before did not confirm. If L is M
+ * or more, those that last for L looks confirm themselves, {@code K f s (1-s)^(N+L-1)} times a second. If L is above
+ * one but below M, J = M / L of them, rounded up, must begin in the same cell within N + L - 1 looks; an upper bound on
+ * the rate is {@code K f s P(Poisson(s' (N+L-1)) >= J-1)} with s' = -ln(1-s).
  *
  * <p>Where false alarms are so frequent that they merge, fewer new ones would be confirmed the more frequent they are,
  * since the old ones never end. The rate is then taken at the formula's maximum: at {@code s = M / (N+1)} for false
@@ -185,7 +185,7 @@ public record FalseAlertRate(
             }
             double s = rate.probability();
             int needed = (hits + lasting - 1) / lasting;
-            double others = rate.perPlace() * (looks + lasting - 1.0);
+            double others = rate.perCell() * (looks + lasting - 1.0);
             return new Confirmed(
                     perLook * s * atLeast(needed - 1, others),
                     true,

@@ -29,12 +29,12 @@ record Cell(NodeTriangles content, int[] voxel, int level, double share) {
     }
 
     /**
-     * Two cells that were one.
+     * The two cells into which a cell is split.
      *
      * @param split what parts them
      * @param left the cell below the plane
      * @param right the cell above it
-     * @param duplicates how many references they have more than the cell that they were
+     * @param duplicates how many more references the two cells have together than the undivided cell had
      */
     record Halves(Split split, Cell left, Cell right, int duplicates) {
 

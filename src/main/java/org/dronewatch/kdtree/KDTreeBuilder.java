@@ -16,9 +16,9 @@ import org.dronewatch.parallel.LongTask;
 final class KDTreeBuilder {
     private static final int BOX = SahSplitFinder.BOX;
     /**
-     * Maximum number of references that the leaves of a tree hold per triangle of the mesh, on average. The
-     * packaged models have 2 to 7, closed surfaces 2 to 4, ground 1 to 2; bundles of slivers would have as many as
-     * triangles.
+     * Maximum number of references that the leaves of a tree hold per triangle of the mesh, on average. The packaged
+     * models have 2 to 7, closed surfaces 2 to 4, ground 1 to 2; without a limit, bundles of slivers would have as many
+     * references per triangle as they have triangles.
      */
     static final int MAX_REFERENCES = 16;
 

@@ -7,8 +7,8 @@ import org.dronewatch.setting.Quantity;
 
 /**
  * The surface area heuristic: the expected cost of a ray through a node, in any unit of work; only the ratio of the two
- * costs matters. Following Wald and Havran, "On building fast kd-trees for ray tracing, and on doing that in O(N log
- * N)" (2006), equations 1 to 5, where the costs are called KT and KI.
+ * costs matters. The heuristic is that of equations 1 to 5 of Wald and Havran, "On building fast kd-trees for ray
+ * tracing, and on doing that in O(N log N)" (2006), where the two costs are called KT and KI.
  *
  * @param traversal cost of one traversal step, 0.001 to 1000
  * @param intersection cost of one triangle test, 0.001 to 1000

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only where a
- * triangle ends, lies, or starts: these events, sorted, are tried, and instead of a face in which triangles lie, the
- * plane next to it.
+ * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only at planes at
+ * which a triangle starts or ends, or in which a triangle lies: these events are sorted, and their planes are tried.
+ * Instead of a face of the voxel in which triangles lie, the plane next to it is tried.
  *
  * <p>Where there are many triangles, they are first counted in equal slices of each axis. The counts bound the cost of
  * any plane in a slice from below, so that only slices which may hold the cheapest plane are sorted and swept: the

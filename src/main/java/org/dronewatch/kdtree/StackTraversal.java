@@ -11,7 +11,10 @@ public final class StackTraversal extends KDTraversal {
     private final double[] stackEntry;
     private final double[] stackExit;
 
-    /** The leaf with the triangle that hid the last segment of which any hit was asked; empty if nothing did. */
+    /**
+     * The leaf with the triangle that blocked the segment of the most recent query for any hit; an empty leaf if
+     * nothing blocked it.
+     */
     private long obstacle = NOTHING;
 
     /** A ray tracer of a tree for use by one thread. */

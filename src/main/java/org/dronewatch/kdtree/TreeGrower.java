@@ -12,7 +12,7 @@ import org.dronewatch.parallel.Workers;
  * duplicates:
  *
  * <ul>
- *   <li>A part that stays within its limit is the one without any limit.
+ *   <li>A part that stays within its limit is the same as it would be without a limit.
  *   <li>Otherwise its root is split all the same, if the limit covers that split; what remains of the limit is divided
  *       between both sides in proportion to their references, and the same holds for each of them. A cell whose split
  *       is not covered becomes a leaf.

@@ -93,8 +93,7 @@ final class TriangleIntersection {
         }
 
         // The distance is the mean of the corners', weighted by the edge functions, so it lies between them. Signs are
-        // never
-        // wrong, so only with a zero can the ray be beside the triangle.
+        // never wrong, so only with a zero can the ray be beside the triangle.
         double t = (a * az + b * bz + g * cz) / determinant * shearZ;
         if (t >= tMin
                 && (t < distance || t == distance && (!found || numbers[index] < triangle))

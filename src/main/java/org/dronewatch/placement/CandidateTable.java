@@ -8,7 +8,7 @@ import java.util.Set;
 
 /**
  * Candidates and what each contributes to every row of a sparse matrix. A row represents whatever is to be served: a
- * cell of the air, a scenario, a customer. Immutable.
+ * cell of airspace, a scenario, a customer. Immutable.
  */
 public final class CandidateTable {
     private final List<Candidate> candidates;

@@ -27,10 +27,10 @@ public final class PlacementProblem {
     /**
      * A problem.
      *
-     * @throws IllegalArgumentException when the {@linkplain PlacementConditions#fold fold} is above 1, but the
-     *     objective does not {@linkplain PlacementObjective#takesBest take the best value}, a probability is above 1,
-     *     or the objective is an impact and a row states neither an impact for every candidate nor one for the case
-     *     that no candidate detects anything
+     * @throws IllegalArgumentException when the {@linkplain PlacementConditions#fold fold} is above 1 although the
+     *     objective does not {@linkplain PlacementObjective#takesBest take the best value}, when a probability is above
+     *     1, or when the objective is an impact and a row states neither an impact for every candidate nor one for the
+     *     case that no candidate detects anything
      */
     public PlacementProblem(CandidateTable table, PlacementObjective objective, PlacementConditions conditions) {
         if (conditions.fold() > 1 && !objective.takesBest()) {

@@ -25,7 +25,7 @@ record Crossing(double range, double error) {
      * Where one line crosses another at a time. With the unit vectors u and v from places at the distance vector b, at
      * the angle g, the first line is nearest to the second at the range {@code r = (b u - (u v) (b v)) / sin^2 g}, the
      * second to the first at {@code s = ((u v) (b u) - b v) / sin^2 g}; the error of r is {@code sqrt((s dv)^2 + (r du
-     * cos g)^2) / sin g}.
+     * cos g)^2) / sin g}, with the errors du and dv of the two directions.
      *
      * @return empty for lines that are parallel but for their errors, miss each other, or would meet behind a sensor
      */

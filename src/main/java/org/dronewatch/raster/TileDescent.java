@@ -4,8 +4,8 @@ import org.dronewatch.kdtree.KDNode;
 import org.dronewatch.kdtree.KDTree;
 
 /**
- * Descends a tree for all rays of a tile at once, nearer cells first, and has the triangles rasterised of those cells
- * in which the tile may see something. For use by one thread.
+ * Descends a tree for all rays of a tile at once, nearer cells first, and rasterises the triangles of those cells in
+ * which the tile may see something. For use by one thread.
  */
 final class TileDescent {
     /** Numbers of a box. */

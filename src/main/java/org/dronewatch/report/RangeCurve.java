@@ -36,7 +36,7 @@ final class RangeCurve {
 
     /** Adds what was measured later in the first run. */
     void add(Observation observation) {
-        // Where chance decides, each look has a different threshold: no line can represent them.
+        // Where detection is random, each look has a different threshold: no line can represent them.
         if (observation.threshold() != firstThreshold) {
             thresholds.replaceAll((run, threshold) -> OptionalDouble.empty());
         }

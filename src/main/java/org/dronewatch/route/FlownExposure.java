@@ -91,9 +91,9 @@ public record FlownExposure(List<List<Step>> flights, Map<String, Double> bySens
     }
 
     /**
-     * The probability of a detection up to a time, inclusive, if looks came so often that the moment at which the route
-     * begins did not matter, as the search assumes: {@code 1 - exp(-E)}, where E is the mean exposure of the flights, 0
-     * to 1.
+     * The probability, 0 to 1, of a detection up to and including a time, if looks came so often that the moment at
+     * which the route begins did not matter, as the search assumes: {@code 1 - exp(-E)}, where E is the mean exposure
+     * of the flights.
      *
      * @param until the last moment at which a detection counts, s since the start; it may be infinite
      */

@@ -17,16 +17,18 @@ import org.dronewatch.sensor.SensorSettings;
 
 /**
  * The rates at which one sensor of a detection field detects a drone in one mode of flight. A sensor whose looks are
- * independent has the rate {@code -f ln(1 - p)}, where p counts as 1 - 1e-6 at most, so that all rates are finite. One
- * whose chance is drawn once per encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see {@link
- * Chance#hazard}): the resulting probability of detection is not too low. Where levels are interpolated, a probability
- * between 0 and 1 represents what is not known about a place, and all looks there have the same outcome: only three of
- * them per distance between traced positions count as independent.
+ * independent has the rate {@code -f ln(1 - p)} at f looks per second, each of which detects the drone with the
+ * probability p; p counts as 1 - 1e-6 at most, so that all rates are finite. One whose chance is drawn once per
+ * encounter has its mean hazard over all draws, {@code p^2 / 3.4 s} (see {@link Chance#hazard}): the resulting
+ * probability of detection is not too low. Where levels are interpolated, a probability between 0 and 1 represents what
+ * is not known about a place, and all looks there have the same outcome: only three of them per distance between traced
+ * positions count as independent.
  *
  * <p>In a cell, p is that on the nearest of the field's compass headings. A sensor that rejects low radial speeds
  * states what fraction of the signal passes at the exact radial speed at the exact position: p is then that on the
- * heading on which the same fraction passes at the centre of the cell, or lies between those on which less and more of
- * it does, by its level in dB. It depends on no other sensor. Immutable and thread-safe.
+ * heading on which the same fraction passes at the centre of the cell or, if there is none, is interpolated by level in
+ * dB between those on the headings on which less and more of the signal passes. It depends on no other sensor.
+ * Immutable and thread-safe.
  */
 final class SensorRates {
     /**

@@ -60,9 +60,9 @@ final class ContactDispatch {
     }
 
     /**
-     * The looks in an order of their contacts that depends only on the directions in which these were measured, as at
-     * random: a positioner follows the first of several new ones, and they arrive with drones before false alarms, in
-     * the order of the scene's sensors.
+     * The looks, in an order of their contacts that is as good as random, but depends only on the directions in which
+     * the contacts were measured. A positioner follows the first of several new contacts, and the looks arrive in an
+     * order that depends on the truth: drones before false alarms, in the order of the scene's sensors.
      */
     private static List<ContactLook> shuffled(List<ContactLook> looks) {
         Map<Integer, Long> places = new HashMap<>();

@@ -14,7 +14,7 @@ public interface SceneListener {
     /** The sensors that are due at this time have taken their looks. */
     default void observed(Frame frame) {}
 
-    /** A run has ended, completely or early. */
+    /** A run has ended, either at its full duration or early. */
     default void runEnded(RunResult result) {}
 
     /** A sensor gained or lost detection of a drone. */

@@ -13,7 +13,7 @@ import org.dronewatch.geometry.Position;
 public final class ZoneApproach {
     private static final int SEGMENTS = 10_000;
 
-    /** Distances are at least this much longer than rounding errors, m. */
+    /** More than the rounding errors of distances, m. */
     private static final double ROUNDING = 1e-6;
 
     private final FlightPath path;

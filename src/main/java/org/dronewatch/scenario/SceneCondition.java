@@ -83,7 +83,7 @@ public record SceneCondition(String name, List<Change> changes) {
         } else {
             throw new InputException(node.mark() + ": "
                     + (path.isEmpty()
-                            ? "must be settings by their paths, as in 'world.rain: 10 mm/h'"
+                            ? "must give settings by their paths, as in 'world.rain: 10 mm/h'"
                             : PlainText.value(path) + ": must be a single value, or values by name"));
         }
     }

@@ -14,7 +14,7 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * Replaces a system of sensors by another system or by a single sensor, or a single sensor by a system. Position and
- * aim are kept; each part has a positioner as its system says.
+ * aim are kept; each part has the positioner that its system specifies, if any.
  *
  * @param id what the scene calls the system, whose parts it calls {@code ID-radar} and so on, or the sensor
  * @param name what is put there
@@ -32,7 +32,10 @@ record SystemSwap(Catalog catalog, String id, String name) {
         return !catalog.partsOf(name).isEmpty();
     }
 
-    /** The names in the scene of a system's parts: of the system with the most parts, all of which must be there. */
+    /**
+     * The names in the scene of a system's parts; of several systems whose parts are all in the scene, the one with the
+     * most parts is meant.
+     */
     private List<String> system(SceneSettings scene) {
         List<String> most = List.of();
         if (scene.sensors().keySet().stream().noneMatch(sensor -> sensor.startsWith(id + "-"))) {

@@ -67,7 +67,7 @@ final class SceneModels {
 
     /** Reads only the models of the site, in the same way. */
     void loadSite(SceneSettings settings) {
-        // First, because a site that is not where its files are does not load.
+        // First, because a site whose origin is wrong lies outside its files, and fails to load.
         settings.world().origin().ifPresent(origin -> new OriginAdvice(origin).giveTo(models::warn));
         placing("world.terrain", () -> models.readTerrain(settings.world()));
         placing("world.buildings", () -> models.readBuildings(settings.world()));

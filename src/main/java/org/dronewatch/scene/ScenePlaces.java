@@ -21,9 +21,9 @@ import org.dronewatch.world.Places;
 import org.dronewatch.world.WorldSettings;
 
 /**
- * Finds the positions of the places in a scene file while it is read: by the origin in the same file, and by the
- * surface of the site, which is loaded for the first place above it, and then need not be loaded again for the scene's
- * runs.
+ * Finds the positions of the places in a scene file while it is read, from the origin in the same file and the surface
+ * of the site. The site is loaded for the first place given by its height above the surface, and need not be loaded
+ * again for the scene's runs.
  */
 final class ScenePlaces {
     private static final String WORLD = "world";
@@ -50,7 +50,7 @@ final class ScenePlaces {
         this.models = new ModelCache(directory, store, notes);
     }
 
-    /** Keeps lines until somebody wants them. */
+    /** Keeps lines until there is a receiver for them. */
     private static final class HeldNotes implements Consumer<String> {
         private final List<String> held = new ArrayList<>();
         private Consumer<String> target = held::add;
@@ -67,7 +67,7 @@ final class ScenePlaces {
         }
     }
 
-    /** Whether they were made with these arguments. */
+    /** Whether these places were created with these arguments. */
     boolean isFor(Path names, StorePlace place) {
         return directory.equals(names) && store.equals(place);
     }
@@ -75,7 +75,7 @@ final class ScenePlaces {
     /**
      * The models that were loaded for places, if any; only the first caller gets them.
      *
-     * @param receiver receives the lines about them, and all that follow
+     * @param receiver receives the lines about these models so far, and all later lines
      */
     Optional<ModelCache> models(Consumer<String> receiver) {
         if (!loaded || handedOver) {
@@ -89,7 +89,7 @@ final class ScenePlaces {
     /**
      * The places of a file; empty when its world cannot be read.
      *
-     * @param file whose names of files start from its directory
+     * @param file the scene file; file names in it are relative to its directory
      * @param kinds kinds of settings
      * @param overrides overrides of the file's settings; only those of the world count
      */
@@ -130,7 +130,7 @@ final class ScenePlaces {
                 try {
                     changed = new SettingsPath(path.substring(WORLD.length() + 1)).write(changed, override.getValue());
                 } catch (InputException e) {
-                    // It is refused when it is its turn.
+                    // This override is refused later, when the scene's settings are overridden.
                     return changed;
                 }
             }
@@ -149,7 +149,7 @@ final class ScenePlaces {
         return Workers.available() > 1 ? models.ground(world) : inParallel(world);
     }
 
-    /** A scene is described before a run has its threads, and a large site takes long on one. */
+    /** A scene is described before a run has its threads, and a large site takes long to load on one thread. */
     private Ground inParallel(WorldSettings world) {
         try (Workers workers = new Workers(Runtime.getRuntime().availableProcessors())) {
             return workers.call(() -> models.ground(world));

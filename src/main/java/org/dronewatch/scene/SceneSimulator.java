@@ -100,7 +100,7 @@ final class SceneSimulator extends DevsSimulator<Double> {
         }
     }
 
-    /** DSOL swallows interrupts while it initializes, which takes a millisecond: so another thread does that. */
+    /** DSOL swallows interrupts while it initializes, for about a millisecond: so another thread initializes it. */
     private void initializeApart(
             DsolModel<Double, DevsSimulatorInterface<Double>> scene, SceneReplication replication) {
         try {

@@ -8,7 +8,7 @@ import java.lang.annotation.Target;
 
 /**
  * Marks a text component, or a list of texts, as file names. In a settings file they are resolved against that file's
- * directory, and may not lead out of it.
+ * directory, and must not lead out of it.
  */
 @Documented
 @Retention(RetentionPolicy.RUNTIME)

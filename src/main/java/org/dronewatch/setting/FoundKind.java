@@ -21,7 +21,7 @@ public record FoundKind(Kind<?> kind, String source, boolean builtIn) {
     /**
      * Checks the kind's declaration.
      *
-     * @throws InputException if the declaration is invalid, so that scene files could not use the kind
+     * @throws InputException if the declaration is invalid: scene files could not use such a kind
      */
     public FoundKind {
         String place = "kind '" + kind.name() + "' from " + source + ": ";

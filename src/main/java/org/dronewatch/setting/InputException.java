@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Reports wrong input by the user: a file, a field, an option. The message has one line for each mistake, which gives
- * the location, the value and the limit, and is shown unchanged.
+ * Reports wrong input by the user: a file, a field, an option. The message, which is shown unchanged, has one line for
+ * each mistake, with its location, the value and the limit.
  */
 public class InputException extends RuntimeException {
     private static final long serialVersionUID = 1L;

@@ -161,7 +161,7 @@ public final class KindRegistry {
         return byAnotherWord(type, typed).or(() -> Spelling.meant(typed, names));
     }
 
-    /** The end of a message about an unknown kind of a type: where it may come from; empty if a type has no kinds. */
+    /** The end of a message about an unknown kind of a type: where it may come from; empty if the type has no kinds. */
     public String otherJar(Class<?> type) {
         return knows(type) ? "; a kind from another jar needs that jar on the class path" : "";
     }

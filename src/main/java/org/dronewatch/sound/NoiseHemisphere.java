@@ -18,7 +18,10 @@ import java.util.Objects;
  * has no heading here, so each angle from the vertical has the energy mean over all headings that were measured at it.
  */
 final class NoiseHemisphere {
-    /** Angles beyond this were not measured: the table has the levels at this one, 3.5 dB fainter for each step. */
+    /**
+     * Angles beyond this were not measured: for them, the table has the levels at this angle, reduced by 3.5 dB for
+     * each step.
+     */
     static final double MEASURED = Math.toRadians(60.0);
 
     /** Step from one angle to the next, as between the microphones across the track. */
@@ -98,7 +101,7 @@ final class NoiseHemisphere {
         return Levels.ofRatio(octaves.get(band).get(i)[j]);
     }
 
-    /** Index of the last angle that is not above another one, but never that of the very last angle. */
+    /** Index of the last of the angles, except the very last, that is not above a given angle; 0 if there is none. */
     private static int below(List<Double> angles, double angle) {
         int i = 0;
         while (i < angles.size() - 2 && angles.get(i + 1) <= angle) {

@@ -5,8 +5,8 @@ package org.dronewatch.sound;
  * third-octave band, where L is the level in dB re 20 uPa, V the wind speed in m/s, f the midband frequency in Hz and D
  * the screen's diameter in m (M. Strasberg, JASA 83, 544, 1988, from the measurements of four authors, within about 3
  * dB for Strouhal numbers f D / V of 0.1 to 5; in SI units in G. P. van den Berg, "The sounds of high winds", Groningen
- * 2006, equation VIII.2). Measured in smooth flow: natural wind, which is gusty, causes more noise at low frequencies.
- * Outside this range of Strouhal numbers the formula is extrapolated.
+ * 2006, equation VIII.2). Outside this range of Strouhal numbers, the formula is extrapolated. The measurements were
+ * made in smooth flow: natural wind, which is gusty, causes more noise at low frequencies.
  */
 public final class WindNoise {
     /** Diameter of a common foam windscreen, m. */

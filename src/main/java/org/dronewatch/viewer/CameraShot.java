@@ -9,7 +9,8 @@ import org.dronewatch.sensor.optics.DronePixels;
 /**
  * A camera's view at one time; its arrays are no longer modified.
  *
- * @param background the site in blues, or the site and the drones in colour, at no more pixels than the panel has
+ * @param background the site in shades of blue, or the site and the drones in colour, with no more pixels than the
+ *     panel has
  * @param time seconds since the start of the run
  * @param drones the pixels of each drone, at the camera's own resolution
  * @param pointing where its positioner points then; empty for a fixed camera

@@ -245,7 +245,7 @@ final class PlacingPanel extends JPanel {
         return layout;
     }
 
-    /** Sets what decides whether another scene or run, which has none of the moves, may be shown. */
+    /** Sets the condition on which another scene or run, which has none of the moves, may be shown. */
     void onLeaving(BooleanSupplier decision) {
         mayLeave = decision;
     }

@@ -52,7 +52,7 @@ final class SceneOpening implements AutoCloseable {
         this.reading = new Latest("dronewatch-opening", 1, failed);
     }
 
-    /** Sets what decides, before the user opens another scene, whether the one that is shown may be left. */
+    /** Sets the condition, queried before the user opens another scene, on which the displayed one may be left. */
     void onLeaving(BooleanSupplier decision) {
         mayLeave = decision;
     }

@@ -13,7 +13,7 @@ import org.dronewatch.render.SiteState;
  * click on the same place selects the next.
  *
  * @param chosen its name; empty if no symbol is near
- * @param number of it among those that cover each other, from 1; 0 for none
+ * @param number its number among those that cover each other, from 1; 0 if no symbol is near
  * @param together how many cover each other
  */
 record SymbolPick(Optional<String> chosen, int number, int together) {

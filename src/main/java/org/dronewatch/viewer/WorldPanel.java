@@ -35,7 +35,7 @@ final class WorldPanel extends JPanel {
     /** Time after the last movement from which the site counts as at rest, ms. */
     private static final int REST = 180;
 
-    /** A symbol is hit this near, in pixels. */
+    /** A click within this distance of a symbol hits it, in pixels. */
     private static final double NEAR = 16.0;
 
     private final transient SiteRenderer renderer;

@@ -13,7 +13,7 @@ import org.dronewatch.mesh.io.ModelRole;
  * there is none, it is at z = 0. For use by one thread.
  */
 public final class GroundLevel {
-    /** Surfaces no higher than this above a place, m, are below it: it lies on them. */
+    /** A position lies on a surface that is at most this far above it, m: the surface counts as below it. */
     private static final double CONTACT = 1e-3;
 
     /** A triangle whose normal rises by less than this fraction of its horizontal length is a wall. */
@@ -71,7 +71,7 @@ public final class GroundLevel {
         return below < Double.POSITIVE_INFINITY ? below : 0.0;
     }
 
-    /** The height of a triangle on a vertical, m; not a number beside it and for walls. Keeps its normal. */
+    /** The height at which a vertical meets a triangle, m; NaN beside the triangle and for walls. Keeps the normal. */
     private double z(int triangle, double x, double y) {
         mesh.normal(triangle, normal);
         if (!(Math.abs(normal[2]) > UPRIGHT * Math.hypot(normal[0], normal[1]))) {

@@ -13,7 +13,7 @@ import org.dronewatch.mesh.io.ModelRole;
  * @param surfaces the surfaces; empty where there are none
  */
 public record SurfaceColumn(List<Surface> surfaces) {
-    /** Nearer surfaces are one, m. */
+    /** Surfaces that are closer together than this count as one, m. */
     private static final double APART = 1e-3;
 
     /** The greatest number of surfaces that are looked for. */

@@ -108,6 +108,16 @@ public record SurfaceSettings(
                 .toList();
     }
 
+    /** The materials that are assigned a surface, but are not among the given model materials. */
+    public List<String> unmatched(List<String> materials) {
+        return this.materials.keySet().stream()
+                .filter(name -> !materials.contains(name)
+                        && materials.stream()
+                                .map(SurfaceSettings::withoutVariant)
+                                .noneMatch(name::equals))
+                .toList();
+    }
+
     /** The surfaces defined in the scene that none of the given model materials uses. */
     public List<String> unused(List<String> materials) {
         Set<String> used = materials.stream().map(name -> of(name).name()).collect(Collectors.toSet());

@@ -117,7 +117,7 @@ class CampaignCommandTest {
         assertThat(outcome.out())
                 .containsPattern("near +60 +0 +\\d+\\.\\d \\(\\d+\\.\\d to \\d+\\.\\d\\)")
                 .containsPattern(
-                        "in time: near - far = -\\d+\\.\\d points .*only near in 0, only far in \\d+ of 60 cases, p = ");
+                        "in time: near minus far = -\\d+\\.\\d points .*near alone in 0, far alone in \\d+ of 60 cases, p = ");
     }
 
     @Thorough

@@ -44,8 +44,9 @@ class CompareCommandTest {
 
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.out())
-                .containsPattern("in time: site - site-changed = \\+\\d+\\.\\d points .* only site-changed in 0 of 60"
-                        + " cases, p = \\d");
+                .containsPattern(
+                        "in time: site minus site-changed = \\+\\d+\\.\\d points .* site-changed alone in 0 of 60"
+                                + " cases, p = \\d");
         assertThat(rows.subList(deciding + 1, rows.size()))
                 .isNotEmpty()
                 .allMatch(row -> row.matches(" +\\d+  site  +drones\\.intruder\\.flight\\.bearing=-?\\d.* deg"
@@ -59,7 +60,7 @@ class CompareCommandTest {
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err()).contains("varies: drones.intruder.flight.bearing");
         assertThat(outcome.out())
-                .contains("= +0.0 points", "only site in 0, only site-changed in 0 of 30 cases, p = 1")
+                .contains("= +0.0 points", "site alone in 0, site-changed alone in 0 of 30 cases, p = 1")
                 .contains("there are no deciding cases: 'in time' is the same for both in every case");
     }
 

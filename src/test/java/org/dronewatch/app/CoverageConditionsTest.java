@@ -161,7 +161,7 @@ class CoverageConditionsTest {
             value = {
                 "night: {world.lihgt.illuminance: 1 lx} | 1:34: ",
                 "night: {world.light.illuminance: -1 lx} | 1:34: ",
-                "night: 5 | 1:8: must be settings by their paths",
+                "night: 5 | 1:8: must give settings by their paths",
                 "night: {} | 1:1: night changes no setting",
                 "As it is: {world.rain: 1 mm/h} | 1:1: As it is: in tables, this is the name of the scene without a condition",
                 "night: {world.rain: [1, 2]} | 1:21: world.rain: must be a single value, or values by name",

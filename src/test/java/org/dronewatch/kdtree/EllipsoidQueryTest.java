@@ -63,7 +63,7 @@ class EllipsoidQueryTest {
         assertThat(answered).as("boxes, not all triangles").isLessThan(2 * inside);
     }
 
-    /** The box of a triangle found reaches into the ellipsoid, and the triangle itself into the plane if there is one. */
+    /** The box of a triangle found reaches into the ellipsoid and, if there is a plane, the triangle into the plane. */
     private static void assertIsNear(
             TriangleMesh mesh, EllipsoidQuery query, int found, Position a, Position b, double sum, Position normal) {
         int triangle = query.triangle(found);

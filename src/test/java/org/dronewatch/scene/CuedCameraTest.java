@@ -168,7 +168,7 @@ class CuedCameraTest {
         assertThat(notes)
                 .contains(
                         "warning: sensors.cued.positioner.hold 0.40 s is less than the 5.0 s between looks of 'radar',"
-                                + " which cues it: the positioner stops following the drone between cues",
+                                + " which cues this positioner: it stops following the drone between cues",
                         "warning: sensor 'cued' aims at an elevation of -70.0 degrees, but its positioner"
                                 + " tilts only from -50.0 to 60.0 degrees");
     }

@@ -104,7 +104,7 @@ class SceneFileTest {
         assertThat(notes)
                 .filteredOn(note -> note.startsWith("warning"))
                 .containsExactly("warning: sensor 'camera' at (0.000, 0.000, 0.000) m lies on a surface, which"
-                        + " may hide everything from it: move it a millimetre away");
+                        + " may hide everything from it: move the sensor a millimetre away");
         assertThat(heard)
                 .filteredOn(observation -> observation.sensor().equals("microphone"))
                 .isNotEmpty()

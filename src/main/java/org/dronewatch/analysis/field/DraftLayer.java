@@ -13,9 +13,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 
 /**
- * One sensor's assessments at one height while it is moved: at first of one cell in each of a few large blocks, then of
- * one in each smaller block, then, in ever smaller ones, wherever neighbours differ, in the end of all cells. Cells
- * that are not assessed have the assessment of their block. For use by one thread, which may have {@link Workers}.
+ * One sensor's assessments at one height while the sensor is moved. At first, one cell in each of a few large blocks is
+ * assessed, then one in each smaller block; then, in ever smaller blocks, only where neighbours differ; and finally all
+ * cells. Cells that have not been assessed have the assessment of their block. For use by one thread, which may have
+ * {@link Workers}.
  */
 final class DraftLayer {
     private static final int NONE = -1;
@@ -126,8 +127,8 @@ final class DraftLayer {
     }
 
     /**
-     * Assesses the open cell that is nearest to the centre of a block, unless another one has been assessed; whether
-     * that was done.
+     * Assesses the open cell that is nearest to the centre of a block, unless another cell of the block has been
+     * assessed; returns whether it did so.
      */
     private boolean assessBlock(LayerRow looks, int west, int north) {
         int best = NONE;
@@ -172,7 +173,7 @@ final class DraftLayer {
         }
     }
 
-    /** For each block, whether it or one beside it looks different from another of them. */
+    /** For each block, whether a neighbouring block, also a diagonal one, looks different. */
     private boolean[] border() {
         int across = across();
         int down = down();

@@ -14,8 +14,8 @@ public enum FieldHeading {
     /** The heading on which the sensors together are most likely to detect the drone. */
     BEST,
     /**
-     * Towards the centre of the grid's area; without an area, of the protected zone; without either, towards the mean
-     * position of the sensors.
+     * Towards the centre of the grid's area or, if it has none, the centre of the protected zone; without either,
+     * towards the mean position of the sensors.
      */
     INBOUND;
 

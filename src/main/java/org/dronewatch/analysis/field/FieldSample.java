@@ -85,7 +85,7 @@ public final class FieldSample {
      */
     public FieldSample either(FieldSample other) {
         if (!grid.equals(other.grid)) {
-            throw new IllegalArgumentException("places in " + other.grid + ": they must be in " + grid);
+            throw new IllegalArgumentException("a sample of " + other.grid + ": its grid must be " + grid);
         }
         BitSet both = (BitSet) undetected.clone();
         both.or(other.undetected);

@@ -6,11 +6,12 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Finds the least height on a vertical line from which a point is visible. A ray that is blocked names a triangle; in
- * the vertical plane through point and line that triangle is a segment, and all lines of sight between the blocked one
- * and the one over the higher end of that segment are blocked by it, too. So the height is raised to that line, and the
- * next ray is traced from there: no free height is passed over, and each triangle is met once. Keeps scratch memory:
- * for use by one thread at a time. Allocates nothing per ray.
+ * Finds the least height on a vertical line from which a point is visible. For a ray that is blocked, the triangle that
+ * blocks it is known. In the vertical plane through the point and the line, that triangle is a segment, which also
+ * blocks all lines of sight between the blocked one and the one that passes over the higher end of the segment. So the
+ * height is raised to where the latter meets the vertical line, and the next ray is traced to that height: no free
+ * height is passed over, and each triangle is met once. Keeps scratch memory: for use by one thread at a time.
+ * Allocates nothing per ray.
  */
 final class HorizonClimb {
     /** By how much a line of sight passes above the edge that it clears, at the vertical line, m. */

@@ -39,9 +39,9 @@ record InboundFlights(Position target, double reach, double step, List<Double> h
 
     /**
      * The flights over a grid. They begin half a side of the grid away from their target; if the grid is that of an
-     * area, 250 m beyond its farthest corner. Where that is too near for a detection to leave the required response,
-     * they begin farther away, but not beyond the model of the site. If any of them would begin in a protected zone,
-     * they begin 250 m beyond the farthest corner of all zones.
+     * area, 250 m beyond its farthest corner. Where that is too near for a detection to leave the required response
+     * time, they begin farther away, but not beyond the model of the site. If any of them would begin in a protected
+     * zone, they begin 250 m beyond the farthest corner of all zones.
      */
     static InboundFlights of(SceneSettings settings, Stage stage, String drone, FieldGrid grid, FieldTerms terms) {
         Protection protection = stage.protection();

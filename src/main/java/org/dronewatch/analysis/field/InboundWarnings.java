@@ -28,10 +28,11 @@ import org.dronewatch.sensor.SoundTracing;
 
 /**
  * The warnings that the sensors give of a drone that flies straight in at its cruise speed, from every bearing and at
- * several heights above the ground, to the centre of the grid's area; without an area, of the protected zone; without
- * either, to the mean position of the sensors. The drone is detected where a sensor covers it; it is assessed once per
- * cell of its path, but not inside something solid. If the terms give a sensor some time in which to detect the drone,
- * the drone counts as detected that long after the first point at which a sensor covers it. Immutable.
+ * several heights above the ground, to the centre of the grid's area or, if it has none, the centre of the protected
+ * zone; without either, to the mean position of the sensors. The drone is detected where a sensor covers it; it is
+ * assessed once per cell of its path, but not inside something solid. If the terms give a sensor some time in which to
+ * detect the drone, the drone counts as detected that long after the first point at which a sensor covers it.
+ * Immutable.
  *
  * @param target point towards which the drone flies, m
  * @param reach horizontal distance from that point at which the flight begins, m

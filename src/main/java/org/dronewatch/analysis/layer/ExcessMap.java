@@ -62,7 +62,7 @@ public final class ExcessMap {
             return TracedPlace.together(exact, rest - open);
         }
 
-        /** Half the difference between its values with the rest of one neighbour and of another, dB. */
+        /** Half the difference between {@link #over} with the greatest and with the least rest of a neighbour, dB. */
         double spread(double open, double exact) {
             return 0.5
                     * (TracedPlace.together(exact, greatestRest - open)

@@ -27,7 +27,7 @@ import org.dronewatch.world.World;
  * depends only on the seed and on the names of sensor and drone.
  */
 public final class ExcessSurvey {
-    /** The greatest number of positions in the open and in enclosed spaces, where tracing takes longer. */
+    /** The greatest numbers of positions: outdoors, and indoors, where tracing takes longer. */
     static final int MOST = 5000;
 
     static final int MOST_INDOORS = 500;
@@ -43,7 +43,9 @@ public final class ExcessSurvey {
     /** Within about this margin it matters how accurate a level is, dB. */
     private static final double NEAR = 3.0;
 
-    /** Directions in which the sky is looked for, and the fraction of them that is free indoors at most. */
+    /**
+     * The number of directions in which the sky is looked for, and the greatest fraction of them that is free indoors.
+     */
     private static final int DIRECTIONS = 64;
 
     private static final double INDOORS = 0.1;

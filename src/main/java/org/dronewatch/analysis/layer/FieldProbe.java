@@ -203,7 +203,10 @@ public record FieldProbe(
         return assessor.assessCoarsely(there, pointing, rays(), resolution(assessor, there, pointing));
     }
 
-    /** If the answer were different on each course, the one that counts would depend on more than a side. */
+    /**
+     * Whether the needed step is reached suffices only if the answer is the same on all courses; otherwise, which
+     * course counts depends on more than that.
+     */
     private ProbabilityResolution resolution(Assessor assessor, Drone there, Optional<Pointing> pointing) {
         boolean isSideOnly = needed().isPresent()
                 && search.isEmpty()

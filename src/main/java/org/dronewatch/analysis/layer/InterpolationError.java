@@ -12,8 +12,8 @@ import java.util.Optional;
  * @param heldOut number of positions at which levels were traced to measure the error
  * @param percentile95 the 95th percentile of the absolute error at the held-out positions, dB
  * @param ofLooks root mean square of the standard errors of the levels traced at the held-out positions, dB; a look
- *     without interpolation has the same standard error, so interpolating between more positions would not make a field
- *     more accurate
+ *     without interpolation has the same standard error, so interpolating between more positions cannot make a field
+ *     more accurate than this
  * @param inSight bounds on the error where the drone is in sight of the sensor
  * @param hidden bounds on the error where the drone is hidden from the sensor
  */
@@ -41,8 +41,8 @@ public record InterpolationError(
      *
      * @param scale factor between the spread of neighbours and the standard deviation of what is interpolated between
      *     them: that of the errors measured (root mean square)
-     * @param reach the same for the greatest error that counts as possible: {@value InterpolationError#MARGIN} times
-     *     that of the greatest error measured, also of those of each traced position interpolated from the others
+     * @param reach the same factor for the greatest error that counts as possible: {@value InterpolationError#MARGIN}
+     *     times the greatest factor measured, also at the traced positions, each of them interpolated from the others
      * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB; measured in the same way
      */
     record Bounds(double scale, double reach, double beyond) {
@@ -71,7 +71,7 @@ public record InterpolationError(
         return isInSight ? inSight : hidden;
     }
 
-    /** The error of a map; nothing is certain with that of a map without positions that are held out. */
+    /** The error of a map; if the map holds out no positions, nothing is certain with this error. */
     static InterpolationError of(ExcessMap map) {
         List<TracedPlace> heldOut = map.heldOut();
         List<Double> errors = new ArrayList<>();

@@ -97,7 +97,7 @@ public final class LayerRow {
         entries[column] = -1 - keep();
     }
 
-    /** Finds the codes; whether that of the first course holds for all of them. */
+    /** Finds the codes; returns whether the code of the first course holds for all courses. */
     private boolean assess(Position at) {
         if (probe.search().isPresent()) {
             return search(at, probe.search().get());
@@ -119,7 +119,7 @@ public final class LayerRow {
         return alike;
     }
 
-    /** Over one period of the sensor's search. */
+    /** The same as {@link #assess}, over one period of the sensor's search. */
     private boolean search(Position at, SearchPeriod period) {
         CellPointings pointings = period.at(at, probe.drone().radius());
         boolean alike = true;

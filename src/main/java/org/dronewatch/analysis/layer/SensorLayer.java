@@ -100,7 +100,7 @@ public final class SensorLayer {
      * slice holds, on the {@link Workers} of the calling thread; the same for any number of them.
      *
      * @param progress receives the number of cells done since the last call; from any thread
-     * @return whether there were any that it does not hold
+     * @return whether there were any cells that the former slice does not hold
      */
     boolean assess(
             FieldProbe probe, FieldColumns columns, int height, Optional<LayerSlice> former, IntConsumer progress) {

@@ -20,7 +20,8 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 
 /**
- * Why one sensor does not cover the cells of a gap: in each, on the course that determines whether it is covered.
+ * Why one sensor does not cover the cells of a gap: in each cell, on the course that determines whether the cell is
+ * covered.
  *
  * @param sensor name of the sensor
  * @param causes the number of cells for each cause, in the order of {@link Cause}; {@link Cause#DETECTED} for cells in

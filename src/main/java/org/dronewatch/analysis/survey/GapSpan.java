@@ -17,7 +17,7 @@ import org.dronewatch.analysis.field.FieldCoverage;
  * @param gap the largest part
  */
 public record GapSpan(int lowest, int highest, int height, int number, Gap gap) {
-    /** How many gaps of each height, the largest, are compared with those of the next height. */
+    /** How many of the largest gaps at each height are compared with those at the next height. */
     private static final int MOST_OF_A_HEIGHT = 8;
 
     /** Two gaps one above the other belong together if they share this fraction of the smaller one's cells. */

@@ -19,8 +19,8 @@ import org.dronewatch.sensor.Cause;
  * @param covered number of known cells that a sensor covers
  * @param volume volume of the air that the covered cells represent, m3; see {@link FieldGrid#depth}
  * @param causes number of known cells by dominant cause, in the order of {@link Cause}
- * @param causesBySensor by sensor, in the order of the scene, the number of known cells by the sensor's own cause, on
- *     the course that counts in each cell: {@link Cause#DETECTED} where a single look detects the drone
+ * @param causesBySensor for each sensor, in the order of the scene: the number of known cells for each cause of that
+ *     sensor, on the course that counts in each cell; {@link Cause#DETECTED} where a single look detects the drone
  * @param counts number of known cells by the number of sensors that cover them, from none upwards
  * @param lost by sensor, how many more cells are covered with it than without it: those lost without it, less those
  *     gained, since without the sensor another course may count, on which the other sensors cover more; the number may

@@ -9,8 +9,9 @@ import picocli.CommandLine.Option;
 public final class ColourOptions {
     @Option(
             names = "--colour",
-            description = "Draws a photograph as the camera would take it: materials, sun, sky and haze (PNG, MP4 or"
-                    + " GIF).")
+            description =
+                    "Draws a colour picture as the camera would take it: materials, sun, sky and haze (PNG, MP4 or"
+                            + " GIF).")
     private boolean colour;
 
     @Option(

@@ -15,13 +15,13 @@ public final class SilhouetteMask {
     public static final byte OUTSIDE = 0;
 
     /**
-     * A texel that may be covered, in full or in part, or not; seen from the middle of the range, its centre is not
+     * A texel that may be covered in full, in part, or not at all; seen from the middle of the range, its centre is not
      * covered.
      */
     public static final byte UNLIKELY = 1;
 
     /**
-     * A texel that may be covered, in full or in part, or not; seen from the middle of the range, its centre is
+     * A texel that may be covered in full, in part, or not at all; seen from the middle of the range, its centre is
      * covered.
      */
     public static final byte LIKELY = 2;

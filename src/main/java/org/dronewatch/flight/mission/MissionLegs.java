@@ -24,7 +24,7 @@ final class MissionLegs {
      */
     private static final double STRAIGHT = 0.01;
 
-    /** How steep the drone follows the surface: 45 degrees, m/m. */
+    /** How steeply the drone climbs and descends as it follows the surface: 45 degrees, m/m. */
     private static final double STEEPEST = 1.0;
 
     private final double acceleration;

@@ -43,7 +43,7 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
      */
     record Leg(Course course, double begin, RestToRest motion, double heading) {
 
-        /** A leg with its nose ahead; straight up or down, the nose stays where it was. */
+        /** A leg that is flown nose first; straight up or down, the heading does not change. */
         static Leg of(Course course, double begin, double speed, double acceleration, double former) {
             return new Leg(course, begin, new RestToRest(course.length(), speed, acceleration), course.heading(former));
         }

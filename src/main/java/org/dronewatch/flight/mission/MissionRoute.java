@@ -12,7 +12,10 @@ import org.dronewatch.world.Places;
 
 /** Finds where the steps of a mission lead on a site. For a single use. */
 final class MissionRoute {
-    /** Largest difference between the heights of the launch in plan and site that causes no warning, m. */
+    /**
+     * Up to this difference between the heights of the launch position in the plan and on the site, no warning is
+     * given, m.
+     */
     private static final double ODD = 20.0;
 
     /** Points nearer to each other than this are the same, m. */
@@ -86,8 +89,8 @@ final class MissionRoute {
     }
 
     /**
-     * Straight up at home, and level to the place from there; a fixed-wing flies slantwise, but soon enough at the same
-     * height.
+     * Straight up at home, and then level to the place. A real fixed-wing aircraft climbs at an angle instead, but soon
+     * reaches the same height.
      */
     private void takeOff(MissionStep.TakeOff up) {
         EarthPoint start = here.isEmpty() ? home(up.where()) : null;
@@ -169,7 +172,7 @@ final class MissionRoute {
                                                 () -> new IllegalArgumentException(
                                                         "no surface at "
                                                                 + Places.inWords(latitude, longitude)
-                                                                + ", from which its height is measured: the site has a hole or ends there"))
+                                                                + " from which to measure the height: the site has a hole or ends there"))
                                 + height.metres());
         };
     }
@@ -192,7 +195,7 @@ final class MissionRoute {
             double height = planned.orElseThrow(
                     () -> new IllegalArgumentException(
                             "no surface at " + Places.inWords(home.latitude(), home.longitude())
-                                    + ", the launch position, from which its height is measured: the site has a hole or ends there"));
+                                    + ", the launch position, from which to measure heights: the site has a hole or ends there"));
             warnings.accept(String.format(
                     Locale.ROOT,
                     "%s: the launch position is in a hole of the site or beyond its edge: heights are measured from %.1f m above sea level, as the plan states",

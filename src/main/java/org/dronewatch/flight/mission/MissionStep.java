@@ -25,19 +25,19 @@ sealed interface MissionStep {
      */
     record Height(Frame frame, double metres) {}
 
-    /** Climbs from the ground at home; then on to a place, if it has one. */
+    /** Climbs from the ground at home, and then flies on to a place, if one is given. */
     record TakeOff(String where, Optional<EarthPoint> place, Height height) implements MissionStep {}
 
     /** Flies straight to a place, and waits there for some seconds. */
     record FlyTo(String where, EarthPoint place, Height height, double hold) implements MissionStep {}
 
-    /** Flies above a place, if it has one, and descends to the surface. */
+    /** Flies to above a place, if one is given, and descends to the surface. */
     record Land(String where, Optional<EarthPoint> place) implements MissionStep {}
 
-    /** Flies straight down to the surface at a place, as a fixed-wing lands. */
+    /** Flies in a straight line down to the surface at a place, as a fixed-wing aircraft lands. */
     record TouchDown(String where, EarthPoint place) implements MissionStep {}
 
-    /** Flies above home at its present height, and lands there. */
+    /** Flies to above home at its present height, and lands there. */
     record Return(String where) implements MissionStep {}
 
     /** Waits for some seconds. */

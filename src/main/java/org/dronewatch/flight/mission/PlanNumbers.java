@@ -22,7 +22,7 @@ record PlanNumbers(String name) {
     /** The greatest height, up or down, m. */
     static final double HIGHEST = 100_000.0;
 
-    /** In these frames of MAVLink (MAV_FRAME) a mission may have heights. */
+    /** The frames of MAVLink (MAV_FRAME) in which a mission may state heights. */
     private static final Map<Integer, MissionStep.Frame> FRAMES = Map.of(
             0, MissionStep.Frame.SEA,
             5, MissionStep.Frame.SEA,
@@ -77,7 +77,7 @@ record PlanNumbers(String name) {
     /**
      * The seven parameters of an item; earlier versions of QGroundControl wrote four, and the place apart from them.
      *
-     * @throws InputException when there are not as many
+     * @throws InputException unless there are seven
      */
     JsonNode parameters(JsonNode item, String where) {
         JsonNode params = item.path("params");

@@ -8,9 +8,9 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.geometry.Position;
 
 /**
- * The waypoints of a flight: those of its sampled positions between which it is nowhere further from the straight line
- * than a tolerance (Douglas and Peucker, Algorithms for the reduction of the number of points required to represent a
- * digitized line, The Canadian Cartographer 10, 1973), and the waits.
+ * The waypoints of a flight, with the waits at them: sampled positions, chosen so that the flight is nowhere farther
+ * than a tolerance from the straight lines between them (Douglas and Peucker, Algorithms for the reduction of the
+ * number of points required to represent a digitized line, The Canadian Cartographer 10, 1973).
  */
 final class PlanSampling {
     /** Between two samples, s. */

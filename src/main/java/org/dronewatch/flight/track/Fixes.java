@@ -31,7 +31,7 @@ final class Fixes {
     /**
      * What was read.
      *
-     * @param fixes at least one; all with times that grow, or none with a time
+     * @param fixes at least one; either all with increasing times, or none with a time
      * @param notes what was left out, a line for each thing
      */
     record Points(List<Fix> fixes, List<String> notes) {

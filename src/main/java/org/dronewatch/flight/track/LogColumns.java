@@ -44,7 +44,7 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
             "elevation",
             "ele",
             "height");
-    /** What may count from anything. */
+    /** Names that do not state the level from which a height is measured. */
     private static final List<String> PLAIN = List.of("altitude", "alt", "elevation", "ele");
 
     private static final List<String> ABOVE_THE_START = List.of(

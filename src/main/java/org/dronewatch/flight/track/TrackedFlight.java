@@ -119,7 +119,7 @@ final class TrackedFlight implements FlightSource {
         OptionalDouble surface = placed(first, () -> places.surface(place.latitude(), place.longitude()));
         return surface.orElseThrow(() -> new IllegalArgumentException(at(first) + "no surface at "
                         + Places.inWords(place.latitude(), place.longitude())
-                        + ", from which heights are measured: the site has a hole or ends there"))
+                        + " from which to measure heights: the site has a hole or ends there"))
                 - first.height().getAsDouble();
     }
 
@@ -138,7 +138,7 @@ final class TrackedFlight implements FlightSource {
         return places.surface(place.latitude(), place.longitude())
                 .orElseThrow(() -> new IllegalArgumentException(
                         "no surface at " + Places.inWords(place.latitude(), place.longitude())
-                                + ", from which its height is measured: the site has a hole or ends there"));
+                                + " from which to measure the height: the site has a hole or ends there"));
     }
 
     private List<Leg> legs(List<Position> positions) {

@@ -158,7 +158,7 @@ public record PlacePlan(
         }
         return settings.drone()
                 .or(() -> FieldRequest.firstDrone(present))
-                .orElseThrow(() -> new InputException("scene: it has no drone that could be detected"));
+                .orElseThrow(() -> new InputException("scene: has no drone that could be detected"));
     }
 
     /** This plan with another budget. */

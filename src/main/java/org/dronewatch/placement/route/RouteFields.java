@@ -38,7 +38,7 @@ final class RouteFields {
     /** The number of cells along a side unless the length of a cell is given. */
     private static final double CELLS = 50.0;
 
-    /** Maximum number of cells at all heights, under all conditions. */
+    /** Maximum number of cells over all heights and under all conditions. */
     private static final int MOST = 250_000;
 
     private final PlacePlan plan;

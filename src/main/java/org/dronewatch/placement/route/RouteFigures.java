@@ -135,7 +135,7 @@ final class RouteFigures {
                 : Optional.of(new PresentLayout(own.size(), RouteRows.counted(rows.past(own))));
     }
 
-    /** Where the weakest routes are equally exposed, the mean exposure over all routes decides. */
+    /** Where the weakest routes are equally exposed, the mean exposure over all routes breaks the tie. */
     private List<PlaceStep> purchases(RoutePlacement brief) {
         return new BuyingOrder(
                         number -> plan.candidates().get(number).candidate().cost(), rows::value, rows::most, rows::mean)

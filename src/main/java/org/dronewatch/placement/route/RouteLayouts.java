@@ -82,8 +82,8 @@ public final class RouteLayouts {
     }
 
     /**
-     * Adds routes in the scene as it is that this search has not found itself, such as those that allow for what
-     * flights have shown: from now on, layouts are compared on them as well.
+     * Adds routes that this search has not found itself, such as those that allow for what flights have shown. They are
+     * routes in the scene as it is; from now on, layouts are compared on them as well.
      *
      * @throws CancellationException when this thread is interrupted; its interrupt status is kept
      */

@@ -20,7 +20,7 @@ public final class BuyingOrder {
      *
      * @param price price of a sensor, given by its index among the candidates of the plan
      * @param value value of some of the sensors, given by their indices, which include those that are kept
-     * @param otherwise a second value of some of the sensors, which decides a tie; greater is better
+     * @param otherwise a second value of some of the sensors, which breaks ties; greater is better
      */
     public BuyingOrder(
             ToDoubleFunction<Integer> price,

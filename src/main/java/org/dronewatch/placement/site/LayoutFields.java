@@ -43,7 +43,7 @@ public record LayoutFields(
     }
 
     /**
-     * The fraction of the known cells at all heights that a layout covers.
+     * The fraction of the known cells, over all heights, that a layout covers.
      *
      * @param fold number of sensors that must cover a cell, 1 or more
      */

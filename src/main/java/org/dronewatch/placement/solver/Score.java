@@ -5,7 +5,7 @@ package org.dronewatch.placement.solver;
  *
  * @param penalty what is missing of the conditions; less is better
  * @param value its gain
- * @param progress decides between choices that are equal otherwise
+ * @param progress decides between choices that are otherwise equal
  */
 record Score(double penalty, double value, double progress) {
     private static final double ROUNDING = 1e-12;

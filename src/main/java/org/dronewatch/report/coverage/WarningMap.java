@@ -53,7 +53,7 @@ public final class WarningMap {
         sheet.title(inputs.scene());
         sheet.line("where the drone '" + inputs.drone() + "', flying straight in");
         sheet.line("to " + (warnings.isZone() ? "the protected zone" : "the centroid of the sensors"));
-        sheet.line("from up to " + FieldPictures.metres(warnings.reach()) + ", is first detected"
+        sheet.line("from up to " + FieldPictures.metres(warnings.reach()) + " away, is first detected"
                 + inputs.withProbability() + ";");
         if (inputs.within().isPresent()) {
             sheet.line("it counts as detected " + inputs.timeInWords() + " after it");

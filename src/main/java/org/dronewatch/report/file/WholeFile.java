@@ -83,7 +83,7 @@ public final class WholeFile {
      *
      * @param firstLine matches the first line of a file that may be replaced
      * @param writer name, in messages, of the command that writes such files, such as {@code 'save'}
-     * @throws InputException when there is a file that may not be replaced
+     * @throws InputException when there is a file that must not be replaced
      */
     public WholeFile replacingOnly(Pattern firstLine, String writer) {
         if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {

@@ -69,8 +69,8 @@ final class BuildingFeatures {
     }
 
     /**
-     * The world frame is a plane, and the level of the origin is not: far away it lies lower, and is reached along the
-     * vertical.
+     * A point at the level of the origin. This level is curved: far away, it is below the plane z = 0 of the world
+     * frame, from which it is reached along the vertical.
      */
     private GeoPoint onLevel(double x, double y) {
         double z = 0.0;

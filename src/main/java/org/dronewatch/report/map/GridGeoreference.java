@@ -63,7 +63,10 @@ record GridGeoreference(CoordinateReferenceSystem crs, double[] matrix) {
         return new GridGeoreference(crs, matrix);
     }
 
-    /** The world frame is a plane above the ground far away; heights do not matter to a plan. */
+    /**
+     * The map coordinates of a point of the plane z = 0. Far away, this plane is above the ground, but a plan does not
+     * depend on heights.
+     */
     private static double[] at(MapTransform transform, double x, double y) {
         var point = transform.onMap(new Position(x, y, 0.0));
         return new double[] {point.x(), point.y()};

@@ -28,7 +28,8 @@ final class MapFootprint {
      *
      * @param at where the sensor is, m
      * @param outline its field of view
-     * @param detected the farthest at which it first detected a drone, m: how far a camera's is drawn
+     * @param detected the greatest range at which the sensor first detected a drone, m: a camera's field of view is
+     *     drawn to this range
      */
     static List<List<Position>> of(Position at, Outline outline, OptionalDouble detected) {
         if (outline instanceof Outline.Sector sector) {

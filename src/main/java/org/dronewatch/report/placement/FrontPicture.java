@@ -100,7 +100,7 @@ final class FrontPicture {
         Charts.asReference(chart.addSeries(measure.unbeaten(), budgets, bounds));
     }
 
-    /** A point where all prices are known; otherwise a line, since any cost may be its own. */
+    /** A point if all prices are known; otherwise a line, since the cost of today's layout is then unknown. */
     private void addToday(XYChart chart, PresentLayout own) {
         double value = measure.plotted(own.value());
         OptionalDouble price = priceOfToday();

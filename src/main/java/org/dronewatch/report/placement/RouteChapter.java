@@ -113,6 +113,6 @@ final class RouteChapter {
                 "Only the drone '" + plan.drone() + "' flies, within its limits on climb, descent and turns; sensors on"
                         + " positioners "
                         + (plan.pointing() == FieldTerms.Turning.CUED ? "have turned to it." : "search for it."),
-                "Sensors are assumed to be independent; they are not where they look past the same obstacle.");
+                "Sensors are assumed to be independent; in reality, sensors behind the same obstacle are not.");
     }
 }

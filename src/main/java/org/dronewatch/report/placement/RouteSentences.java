@@ -75,8 +75,8 @@ final class RouteSentences {
     }
 
     /**
-     * Where nothing gains anything, from which directions sensors could detect the drone nevertheless, or that only the
-     * budget or the conditions stand against a layout without a gap, in a sentence; otherwise empty.
+     * If no purchase gains anything, a sentence that names the directions from which sensors could detect the drone
+     * nevertheless, or states that only the budget or the conditions rule out a layout without a gap; otherwise empty.
      */
     Optional<String> remaining() {
         if (best.remaining().isEmpty()) {

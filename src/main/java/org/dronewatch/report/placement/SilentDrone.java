@@ -14,8 +14,8 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * What a layout is worth against a drone like the planned one that transmits nothing: its radio receivers do not detect
- * such a drone, however much they contribute against one that does transmit.
+ * What a layout is worth against a drone that resembles the planned one but transmits nothing: the radio receivers of
+ * the layout do not detect such a drone, however much they contribute against one that does transmit.
  *
  * @param layout the layout
  * @param measure describes its values

@@ -73,7 +73,7 @@ enum Misjudgement {
         return Optional.of(isMuch(byFastLooks - searched, difference) ? BOTH : SCANS);
     }
 
-    /** Whether a step leads more than half as far as a route may be judged wrongly, in the direction of all steps. */
+    /** Whether a step has the sign of the sum of all steps, and exceeds half of the misjudgement that is tolerated. */
     private static boolean isMuch(double step, double all) {
         return Math.signum(all) * step > 0.5 * SectorRoute.MISJUDGED;
     }

@@ -234,7 +234,7 @@ final class RouteReport {
         inputs.stopped()
                 .ifPresent(share -> items.add("The response is not simulated; it is assumed to stop the drone in "
                         + RouteNumbers.percent(share) + " of the cases in which the alert is in time."));
-        items.add("Sensors are assumed to be independent; they are not where they look past the same obstacle.");
+        items.add("Sensors are assumed to be independent; in reality, sensors behind the same obstacle are not.");
         items.addAll(sensors.omissions());
         items.addAll(stage.siteNotes());
         items.addAll(stage.credits());

@@ -138,8 +138,8 @@ final class SearchNotes {
     }
 
     /**
-     * From which sectors less detected routes may exist, which smaller cells may show; empty if there are none besides
-     * those for which a warning already says so.
+     * The sectors from which there may be routes on which the drone is detected less often, and which smaller cells may
+     * show; empty if there are none besides those for which a warning already says so.
      */
     Optional<String> unproven(RouteSurvey survey) {
         double response = survey.response();

@@ -41,9 +41,10 @@ final class SlowLooks {
     }
 
     /**
-     * The slow sensor whose looks disagree most with the search: summed over these routes, by how much the probability
-     * that it detects the drone differs; to a whole percentage point, because where it differs only by when it detects
-     * the drone, the sensor to which the drone is most exposed decides.
+     * The slow sensor whose looks disagree most with the search: the one with the greatest sum, over these routes, of
+     * the differences in the probability that it detects the drone. Sums that are equal to a whole percentage point, as
+     * where only the times of detections differ, count as equal; of such sensors, the one to which the drone is most
+     * exposed is chosen.
      */
     private Optional<String> disagreeing(List<SectorRoute> routes) {
         return sensors.keySet().stream()

@@ -81,7 +81,7 @@ public final class FlownRoute {
 
     /**
      * Assesses all looks along a route, as {@link #of(SceneSettings, ModelCache)}, but with enough estimates for their
-     * error to be negligible when the route is flown.
+     * error to be negligible beside the statistical error of a given number of runs.
      *
      * @param runs number of runs in which the route is flown, at least 1
      */

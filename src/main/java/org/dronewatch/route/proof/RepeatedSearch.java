@@ -76,8 +76,9 @@ public final class RepeatedSearch {
      * Searches again from the sectors on whose routes detections come too late, this time for the routes that are least
      * exposed all the way, and assesses the looks along these routes: on them, a detection in time may be just as
      * likely, but a detection at all, in time or too late, is less likely. The exposure found along the looks is added,
-     * and this search, too, is repeated. Each sector is searched in this way by one call only; this method has to be
-     * called again after the search for detections in time has been {@linkplain #repeat repeated}.
+     * and this search, too, is repeated. Sectors that an earlier call has searched in this way are left out. This
+     * method has to be called again after the search for detections in time has been {@linkplain #repeat repeated},
+     * since other routes may then be kept.
      *
      * @param progress receives 1 after each search, of which there are at most {@link #MOST} + 1
      * @throws java.util.concurrent.CancellationException when this thread is interrupted; the best routes so far are

@@ -22,7 +22,8 @@ public record PathAdvice(String id, World world, Ground ground, double duration)
     private static final double STEP = 0.2;
 
     /**
-     * The greatest number of places of a flight that are examined: one ray each, and 26 where something is above it.
+     * The greatest number of positions along a flight that are examined: with one ray each, or 26 more where something
+     * is above it.
      */
     private static final int MOST_PLACES = 1000;
 

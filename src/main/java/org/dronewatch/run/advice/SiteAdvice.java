@@ -73,7 +73,12 @@ public record SiteAdvice(SceneSettings settings, World world) {
         List<String> leftOver = surfaces.leftOver(world.materialNames());
         if (!leftOver.isEmpty() && isListening()) {
             target.accept("no acoustic surface is assigned to " + String.join(", ", leftOver) + ": treated as '"
-                    + surfaces.defaultSurface() + "'; world.surfaces.materials assigns others");
+                    + surfaces.defaultSurface() + "'; world.surfaces.materials can assign other surfaces");
+        }
+        List<String> unmatched = surfaces.unmatched(world.materialNames());
+        if (!unmatched.isEmpty()) {
+            target.accept("world.surfaces.materials: the models have no material named "
+                    + String.join(" or ", unmatched) + "; they have " + String.join(", ", world.materialNames()));
         }
         surfaces.unused(world.materialNames())
                 .forEach(name -> target.accept("world.surfaces.own." + name
@@ -127,7 +132,8 @@ public record SiteAdvice(SceneSettings settings, World world) {
         if (world.isInsideWall(at)) {
             target.accept(where + IN_WALL);
         } else if (sensor.as(SoundTracing.class).isEmpty() && clearance.isOnSurface(at)) {
-            target.accept(where + " lies on a surface, which may hide everything from it: move it a millimetre away");
+            target.accept(
+                    where + " lies on a surface, which may hide everything from it: move the sensor a millimetre away");
         }
     }
 

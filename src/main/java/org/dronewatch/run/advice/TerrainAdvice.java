@@ -19,7 +19,7 @@ import org.dronewatch.world.Ground;
  * @param ground the highest surfaces of the world
  */
 public record TerrainAdvice(SceneSettings settings, Ground ground) {
-    /** How many places of a flight are looked at. */
+    /** The number of positions along a flight that are examined. */
     private static final int PLACES = 200;
 
     /**

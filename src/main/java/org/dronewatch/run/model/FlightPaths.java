@@ -42,7 +42,8 @@ public final class FlightPaths {
     /**
      * The path of a drone.
      *
-     * @throws InputException when the path follows the ground and there is none, or was recorded in an invalid file
+     * @throws InputException when the path follows the ground and there is none, or when it was recorded in an invalid
+     *     file
      */
     public FlightPath of(String id, DroneSettings drone) {
         try {

@@ -16,7 +16,7 @@ import org.dronewatch.setting.input.FileHash;
 
 /**
  * Identifies the code that prepares sites: what another build, another Java or another kind of processor prepared is
- * not taken, since its results may differ in the last bit.
+ * not used, since its results may differ in the last bit.
  */
 final class CodeStamp {
     /** Made by the thread that first needs it, not by the one that asks for it in the background. */

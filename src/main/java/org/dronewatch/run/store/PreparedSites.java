@@ -25,10 +25,10 @@ import org.dronewatch.terrain.TerrainSettings;
 import org.dronewatch.terrain.io.ElevationFiles;
 
 /**
- * Prepares the parts of a site, or takes them from the store if an earlier run of the program kept them there, with the
- * same result. Parts that took at least {@value SiteStore#WORTH} s to prepare are kept. The tree over a mesh is looked
- * up by the mesh itself, so it does not matter from which files the mesh came; this process remembers the most recent
- * trees, even without a store. Not thread-safe.
+ * Prepares the parts of a site, or takes them from the store if an earlier run of the program kept them there; the
+ * result is the same. Parts that took at least {@value SiteStore#WORTH} s to prepare are kept. The tree over a mesh is
+ * looked up by the mesh itself, so it does not matter from which files the mesh came; this process remembers the most
+ * recent trees, even without a store. Not thread-safe.
  */
 public final class PreparedSites {
     private static final double NANO = 1e-9;

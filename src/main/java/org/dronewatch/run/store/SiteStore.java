@@ -49,7 +49,7 @@ public final class SiteStore {
     private static final Pattern NAMES = Pattern.compile("[a-z]+-[0-9a-f]{64}\\.site");
     private static final Pattern UNFINISHED = Pattern.compile("[a-z]+-[0-9a-f]{64}\\.site.*\\.part");
 
-    /** An unfinished file of that age was left behind by a process that has ended. */
+    /** An unfinished file of this age was left behind by a process that has ended. */
     private static final Duration ABANDONED = Duration.ofHours(1);
 
     private final Optional<Path> directory;
@@ -57,7 +57,7 @@ public final class SiteStore {
     private final double worth;
     private final Consumer<String> notes;
 
-    /** The directories that could not be written, as a note has said. */
+    /** The directories that could not be written, and for which a note has said so. */
     private final Set<Path> reported;
 
     private boolean failed;

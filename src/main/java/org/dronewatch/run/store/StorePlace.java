@@ -31,7 +31,8 @@ public record StorePlace(Optional<Path> directory) {
     /**
      * The place that the user has chosen for this process: the directory named by the system property
      * {@value #PROPERTY}, or else by the environment variable {@value #VARIABLE}, either of which may also be
-     * {@code off}; if neither is set, the cache directory of the platform; nothing is kept if the user has no home.
+     * {@code off}; if neither is set, the cache directory of the platform; nothing is kept if the user has no home
+     * directory.
      */
     public static StorePlace ofProcess() {
         return new StorePlace(directory(System.getProperties(), System.getenv()));

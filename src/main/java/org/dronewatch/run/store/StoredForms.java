@@ -29,8 +29,8 @@ import org.dronewatch.terrain.TerrainGround;
  *   tree       longs nodes, ints triangles of leaves, ints numbers of triangles, int depth
  * </pre>
  *
- * <p>All little-endian; arrays and texts (UTF-8) have their length before them as an int. Change {@link #VERSION} with
- * every change, also of the forms of other packages.
+ * <p>All numbers are little-endian; arrays and texts (UTF-8) are preceded by their length as an int. Change {@link
+ * #VERSION} with every change of the layout, including the forms of other packages.
  */
 final class StoredForms {
     static final int MAGIC = 0x5345_5744;

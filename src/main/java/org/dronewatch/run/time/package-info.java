@@ -1,2 +1,2 @@
-/** When a sensor looks next, when a signal was emitted, and how fast a run is shown. */
+/** When a sensor looks next, when a signal was emitted, and the pace of a run. */
 package org.dronewatch.run.time;

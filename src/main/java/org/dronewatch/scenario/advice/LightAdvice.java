@@ -17,7 +17,7 @@ public record LightAdvice(Light light) {
     /** The thickest clouds leave this fraction of the light of a clear sky: assumed. */
     private static final double DARKEST = 0.005;
 
-    /** Bright clouds beside the sun add to it, and in twilight it changes by a factor of three in one degree. */
+    /** Bright clouds beside the sun add to its light; in twilight, one degree changes the light by a factor of 3. */
     private static final double BRIGHTEST = 1.5;
 
     private static final double BRIGHTEST_IN_TWILIGHT = 3.0;
@@ -38,8 +38,9 @@ public record LightAdvice(Light light) {
             if (light.illuminance() < low || light.illuminance() > high) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "world.light.illuminance %s is implausible with the sun %.3g degrees %s the horizon: the natural range at this elevation is %s"
-                                + " to %s; both are used as stated",
+                        "world.light.illuminance %s is implausible with the sun %.3g degrees %s the horizon: the"
+                                + " natural range at this elevation is %s to %s; the illuminance and the sun's"
+                                + " elevation are used as stated",
                         Quantity.ILLUMINANCE.inWords(light.illuminance()),
                         Math.abs(Math.toDegrees(sun.elevation())),
                         isSet ? "below" : "above",

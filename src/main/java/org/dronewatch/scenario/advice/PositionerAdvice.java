@@ -24,8 +24,8 @@ public record PositionerAdvice(SceneSettings scene, String id, PositionerSetting
             if (positioner.hold() < interval) {
                 target.accept(String.format(
                         Locale.ROOT,
-                        "sensors.%s.positioner.hold %.2g s is less than the %.2g s between looks of '%s', which cues it:"
-                                + " the positioner stops following the drone between cues",
+                        "sensors.%s.positioner.hold %.2g s is less than the %.2g s between looks of '%s', which cues"
+                                + " this positioner: it stops following the drone between cues",
                         id,
                         positioner.hold(),
                         interval,

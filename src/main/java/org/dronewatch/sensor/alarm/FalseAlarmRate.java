@@ -43,7 +43,7 @@ public record FalseAlarmRate(double perLook, long cells, int looks, double rate)
     }
 
     /** Expected number of false alarms that begin in one cell in one look. */
-    public double perPlace() {
+    public double perCell() {
         return perLook / cells;
     }
 
@@ -52,6 +52,6 @@ public record FalseAlarmRate(double perLook, long cells, int looks, double rate)
      * {@code 1 - exp(-perLook / cells)}.
      */
     public double probability() {
-        return -Math.expm1(-perPlace());
+        return -Math.expm1(-perCell());
     }
 }

@@ -61,7 +61,7 @@ public final class DronePicture {
         return new DronePicture(camera, new SiteImages(camera, true), true);
     }
 
-    /** Pictures of the same camera for use by another thread, which share the image of the site. */
+    /** Pictures of the same camera, which share its image of the site, for use by another thread. */
     public DronePicture sibling() {
         return new DronePicture(camera, images, isAtRest);
     }

@@ -33,7 +33,8 @@ public final class ImageSpeed {
         double level = range * Math.cos(to.elevation());
         double pan = (velocity.x() * cos - velocity.y() * sin) / Math.max(level, Double.MIN_NORMAL);
         double outwards = velocity.x() * sin + velocity.y() * cos;
-        double tilt = (velocity.z() * Math.cos(to.elevation()) - outwards * Math.sin(to.elevation())) / range;
+        double tilt = (velocity.z() * Math.cos(to.elevation()) - outwards * Math.sin(to.elevation()))
+                / Math.max(range, Double.MIN_NORMAL);
         double panLeft = pan - pointing.map(Pointing::panRate).orElse(0.0);
         double tiltLeft = tilt - pointing.map(Pointing::tiltRate).orElse(0.0);
         return Math.hypot(panLeft * Math.cos(to.elevation()), tiltLeft);

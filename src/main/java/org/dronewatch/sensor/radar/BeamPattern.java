@@ -19,7 +19,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param azimuthBeamwidth half-power beamwidth A in azimuth, pi/18000 (0.01 degrees) to 2 pi rad
  * @param elevationBeamwidth half-power beamwidth E in elevation, pi/18000 (0.01 degrees) to pi rad
  * @param sideLobes level of the side lobes below that of the main lobe, 0 to 100 dB one way
- * @param steering planes (azimuth, elevation) in which the beam is steered towards its target; in the other plane it
+ * @param steering planes (azimuth, elevation) in which the beam is steered towards its target; in any other plane it
  *     stays on the axis of the radar
  * @param scanLoss exponent of the scan loss one way, 0 to 5; 0 for an antenna that is rotated mechanically
  */

@@ -71,10 +71,10 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * A fixed threshold. A fluctuating target requires an average ratio that is higher by the fluctuation loss (L. V.
-     * Blake, Radar Range-Performance Analysis, chapter 2): the difference between the ratios that a fluctuating and a
-     * steady target require for a probability of detection of 0.9 and a probability of false alarm of 1e-6, with one
-     * pulse.
+     * Detection without chance: an echo is detected if its signal-to-noise ratio reaches a fixed threshold. A
+     * fluctuating target requires an average ratio that is higher by the fluctuation loss (L. V. Blake, Radar
+     * Range-Performance Analysis, chapter 2): the difference between the ratios that a fluctuating and a steady target
+     * require for a probability of detection of 0.9 and a probability of false alarm of 1e-6, with one pulse.
      *
      * @param signalToNoise signal-to-noise ratio that a steady target must reach, -50 to 100 dB
      */
@@ -138,8 +138,9 @@ public sealed interface RadarDetection {
     }
 
     /**
-     * Probabilistic detection: noise and the target's fluctuation decide in each look. A number between 0 and 1 is
-     * drawn, and the threshold of the look is the ratio for which the probability of detection is that number.
+     * Probabilistic detection: in each look, noise and the target's fluctuation determine whether the echo is detected.
+     * A number between 0 and 1 is drawn, and the threshold of the look is the ratio for which the probability of
+     * detection is that number.
      *
      * @param falseAlarm probability of a false alarm, 1e-12 to 0.01
      * @param pulses number of pulses per look that are integrated non-coherently, 1 to 1000; the signal-to-noise ratio

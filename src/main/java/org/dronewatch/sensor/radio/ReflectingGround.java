@@ -57,7 +57,10 @@ public record ReflectingGround(
      * How the field at an antenna differs from that of the direct wave alone: {@code 20 lg |1 + A rho G exp(-j k d)|}
      * with Fresnel's reflection coefficient G for the complex permittivity {@code e - j 60 s lambda} and the loss of
      * coherence on a rough surface, {@code rho = exp(-8 (pi h sin(psi) / lambda)^2)} (W. S. Ament, Proceedings of the
-     * IRE 41, 1953; M. I. Skolnik, Radar Handbook, chapter on propagation).
+     * IRE 41, 1953; M. I. Skolnik, Radar Handbook, chapter on propagation). A is the amplitude of the reflected wave,
+     * without the losses of the reflection, relative to that of the direct wave, {@code share direct / (direct +
+     * longer)}, k the wavenumber, d the path difference {@code longer}, lambda the wavelength, e the permittivity, s
+     * the conductivity, psi the grazing angle, and h^2 the sum of the squares of the roughness and of {@code uneven}.
      *
      * @param direct length of the direct path, m
      * @param longer by how much the reflected path is longer, 0 or more, m

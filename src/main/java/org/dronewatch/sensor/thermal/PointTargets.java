@@ -146,8 +146,11 @@ public record PointTargets(
      */
     FalseAlarmRate rate(long pixels, double looks) {
         double perHour = falseAlarmsPerHour(threshold(pixels), pixels);
-        return new FalseAlarmRate(
-                perHour / (SECONDS_PER_HOUR * looks), Math.max(1, pixels / gate), longest(looks), looks);
+        int longest = longest(looks);
+        // As many as are accepted must not become too many by the rounding of the threshold.
+        double perLook =
+                Math.min(perHour / (SECONDS_PER_HOUR * looks), Math.nextDown(FalseAlarmRate.MOST_PER_LOOK / longest));
+        return new FalseAlarmRate(perLook, Math.max(1, pixels / gate), longest, looks);
     }
 
     /** The greatest number of looks for which noise is confirmed. */

@@ -53,7 +53,7 @@ import org.dronewatch.world.World;
  *     {@code byChance}
  * @param byChance whether detection is random instead: one draw per encounter determines whether the observer can
  *     perform the task at all, and a capable observer then needs time to find the drone; with {@code pointTargets}, the
- *     noise of each frame decides
+ *     noise of each frame is drawn
  * @param pointTargets detection, by a program, of drones that are too small for an observer; omit it for the observer
  *     model, which needs a resolved shape. It replaces the task, which must be detection
  * @param positioner the positioner that turns it; omit it for a fixed mount
@@ -215,7 +215,8 @@ public record ThermalSettings(
         String own = "set its 'transmission' for such weather";
         return PictureSensorSettings.describe(
                         "probability",
-                        "For thermal cameras the whole drone has a single temperature difference, whatever its background.",
+                        "For thermal cameras, the whole drone has a single temperature difference, whatever its"
+                                + " background.",
                         positioner)
                 .withWeakness("too small or too cool")
                 .withIgnoredConditions(Map.of(Condition.VISIBILITY, own, Condition.RAIN, own, Condition.AIR, own));

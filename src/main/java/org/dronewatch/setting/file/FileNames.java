@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.dronewatch.setting.FileName;
 import org.dronewatch.setting.RegularFile;
 
-/** File names in a settings file: they are relative to its directory and may not lead out of it. */
+/** File names in a settings file: they are relative to its directory and must not lead out of it. */
 final class FileNames {
     private final Path directory;
 

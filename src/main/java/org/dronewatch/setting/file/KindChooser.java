@@ -30,7 +30,7 @@ final class KindChooser {
      * The choice.
      *
      * @param form form of the kind
-     * @param parts what is written of it, with what was taken from ready settings
+     * @param parts the settings that the file states, completed with those that were taken from ready settings
      */
     record Chosen(SettingsForm form, Node.Mapping parts) {}
 

@@ -14,7 +14,7 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * Replaces the name of a system by its parts: {@code gate: {use: SYSTEM, position: ...}} becomes {@code gate-radar} and
- * the like, each with what is written of the system, as far as it has such a setting.
+ * the like, each with those settings written for the system that the part has.
  */
 final class NamedGroups {
     private final Kinds kinds;
@@ -79,7 +79,7 @@ final class NamedGroups {
         }
     }
 
-    /** What is written of a system, without what other parts of it take and this one does not. */
+    /** What is written for a system, without the settings that other parts of it have and this one does not. */
     private Node.Mapping thatApplies(
             Node.Mapping written, Class<?> type, Node.Mapping part, Map<String, Node.Mapping> parts) {
         List<String> left = new ArrayList<>(List.of(KindChooser.USE));

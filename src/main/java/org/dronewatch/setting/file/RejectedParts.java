@@ -31,8 +31,8 @@ final class RejectedParts {
     }
 
     /**
-     * Reports what is rejected even if all that can be left out is left out, otherwise each part that is rejected
-     * beside only what is required; returns whether there are any.
+     * Reports why the record is rejected with its required parts alone; if it is not, reports each part that is
+     * rejected when only the required parts are added to it. Returns whether anything was reported.
      */
     boolean report() {
         Optional<String> whatIsRequired = rejection(needed);
@@ -57,7 +57,10 @@ final class RejectedParts {
         return rejection(one);
     }
 
-    /** Whether a part is rejected for the same reason beside all parts that are not: it may need one of them. */
+    /**
+     * Whether a part is still rejected, for the same reason, together with all parts that are not rejected: it may need
+     * one of them.
+     */
     private boolean isStillRejected(String name, Map<String, String> rejected) {
         String why = rejected.get(name);
         if (unread().stream().anyMatch(why::contains)) {

@@ -8,7 +8,7 @@ import org.dronewatch.setting.PlainText;
 /**
  * Rejects symbolic links that lead out of a scene's directory, so that a scene file from another author cannot read
  * other files. File names relative to the working directory and file names that visibly lead elsewhere are accepted:
- * scene files may not contain such names, so the user chose them.
+ * scene files that contain such names are refused, so it was the user who chose these names.
  */
 public final class LinkOut {
     private LinkOut() {}

@@ -5,7 +5,7 @@ package org.dronewatch.sound.surface;
  * interference, on average over time. The refractive index fluctuates with the variance {@code m2} and the correlation
  * {@code exp(-r^2 / L^2)} between points at a distance r; the coherence of two paths of length R, whose distance from
  * each other grows to h, is then {@code exp(-sqrt(pi) m2 k^2 R L (1 - rho))} where
- * {@code rho = sqrt(pi) / 2 L / h erf(h / L)} and k is the wavenumber.
+ * {@code rho = (sqrt(pi) / 2) (L / h) erf(h / L)} and k is the wavenumber.
  *
  * <p>This includes the fluctuations of phase and of amplitude, as in the mean of the product of two waves (S. F.
  * Clifford and R. J. Lataitis, JASA 73, 1545, 1983): near the source all of the variance is in the phase; far from it,

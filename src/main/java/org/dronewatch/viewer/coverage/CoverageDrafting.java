@@ -24,12 +24,12 @@ final class CoverageDrafting implements AutoCloseable {
     /** The least time between two pictures of the same layout, s. */
     private static final double PAUSE = 0.3;
 
-    /** The first picture has the cores to itself until it is painted or sensors move on, at most for so long, s. */
+    /** The first picture has the cores to itself until it is painted or sensors move on, for at most this time, s. */
     private static final double PAINTING = 0.1;
 
     private static final double NANO = 1e-9;
 
-    /** Between two queries whether the picture is painted, ns. */
+    /** The time between two queries of whether the picture is painted, ns. */
     private static final long POLL = 500_000;
 
     private final Latest thread;

@@ -119,7 +119,10 @@ public final class CoverageSwitches extends JPanel {
         return sensors.stream().map(row -> row.reason().getText()).toList();
     }
 
-    /** States what is known about a cell; returns what decides there. */
+    /**
+     * Shows for each sensor what is known about a cell; returns a sentence on the state of the cell, and on the sensor
+     * that determines the cause.
+     */
     String describe(PointedCell.Cell there) {
         CellWords words = there.words();
         if (there.evidence().isEmpty()) {

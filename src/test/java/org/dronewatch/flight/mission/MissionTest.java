@@ -288,8 +288,8 @@ class MissionTest {
         hole.ground = (x, y) -> y > 100 ? OptionalDouble.empty() : OptionalDouble.of(0.0);
         assertThatThrownBy(hole::fly)
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("a.plan: mission.items.1: no surface at latitude 1.002000 deg, longitude 2.000000 deg,"
-                        + " from which its height is measured: the site has a hole or ends there");
+                .hasMessage("a.plan: mission.items.1: no surface at latitude 1.002000 deg, longitude 2.000000 deg"
+                        + " from which to measure the height: the site has a hole or ends there");
 
         Plans launch = new Plans().waypoint(3, 1.0, 2.0, 50);
         launch.ground = (x, y) -> OptionalDouble.empty();

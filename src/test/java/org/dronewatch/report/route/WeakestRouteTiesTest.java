@@ -22,7 +22,7 @@ import org.dronewatch.route.search.WeakestRoute;
 import org.junit.jupiter.api.Test;
 
 /**
- * Of routes whose figures the table prints alike, the first clockwise from the north is the weakest; otherwise the one
+ * Of routes whose figures the table prints alike, the first clockwise from north is the weakest; otherwise the one
  * whose figure is less.
  */
 class WeakestRouteTiesTest {

@@ -22,11 +22,13 @@ class LightAdviceTest {
         assertThat(advice(-20, 60_000))
                 .containsExactly(
                         "world.light.illuminance 60000 lx is implausible with the sun 20.0 degrees below the horizon: the"
-                                + " natural range at this elevation is 1e-5 lx to 0.27 lx; both are used as stated");
+                                + " natural range at this elevation is 1e-5 lx to 0.27 lx; the illuminance and the"
+                                + " sun's elevation are used as stated");
         assertThat(advice(60, 1))
                 .containsExactly(
                         "world.light.illuminance 1 lx is implausible with the sun 60.0 degrees above the horizon: the"
-                                + " natural range at this elevation is 510 lx to 150000 lx; both are used as stated");
+                                + " natural range at this elevation is 510 lx to 150000 lx; the illuminance and the"
+                                + " sun's elevation are used as stated");
     }
 
     /** Sunshine, thick cloud, dusk, full moon and starlight. */

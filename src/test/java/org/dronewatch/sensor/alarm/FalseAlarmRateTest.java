@@ -28,10 +28,10 @@ class FalseAlarmRateTest {
         "1e-9, 1000000000000, 1, 1000, 0.0036, 1e-21"
     })
     void anHourHasManyLooksAndAFieldManyCells(
-            double perLook, long cells, int looks, double rate, double perHour, double perPlace) {
+            double perLook, long cells, int looks, double rate, double perHour, double perCell) {
         FalseAlarmRate alarms = new FalseAlarmRate(perLook, cells, looks, rate);
         assertThat(alarms.perHour()).isCloseTo(perHour, withinPercentage(1e-10));
-        assertThat(alarms.perPlace()).isCloseTo(perPlace, withinPercentage(1e-10));
+        assertThat(alarms.perCell()).isCloseTo(perCell, withinPercentage(1e-10));
     }
 
     /** A Poisson number of mean ln 2 is above 0 in half of all looks; one of a tiny mean, as often as its mean. */

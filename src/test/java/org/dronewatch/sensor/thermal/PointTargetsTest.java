@@ -3,6 +3,7 @@ package org.dronewatch.sensor.thermal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.SplittableRandom;
 import org.dronewatch.sensor.NormalTail;
@@ -212,6 +213,25 @@ class PointTargetsTest {
         busy.checkRate(25.0);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> busy.withFalseAlarmsPerHour(Math.nextUp(3e7)).checkRate(25.0));
+    }
+
+    /** Rounding in the threshold of such a rule must not make its false alarms too many. */
+    @Test
+    void asManyFalseAlarmsAsAreAcceptedCanBeSimulated() {
+        SplittableRandom random = new SplittableRandom(1000);
+        for (int i = 0; i < 300; i++) {
+            int hits = random.nextInt(1, 6);
+            int frames = hits + random.nextInt(4);
+            int looks = random.nextInt(1, 40);
+            // With a frame per look, each lasts for as many looks as its marks can keep it confirmed.
+            PointTargets rule = rule(hits, frames, 9)
+                    .withFrameRate(looks)
+                    .withFalseAlarmsPerHour(1000.0 * 3600.0 * looks / (frames - hits + 1));
+            rule.checkRate(looks);
+            assertThat(rule.rate(640 * 512, looks).perHour())
+                    .as("%s", rule)
+                    .isCloseTo(rule.falseAlarmsPerHour(), withinPercentage(1e-6));
+        }
     }
 
     @Test

@@ -16,8 +16,9 @@ import org.dronewatch.sensor.Assessment;
 import org.dronewatch.sensor.Cause;
 
 /**
- * Describes one cell of a coverage: whether each sensor detects the drone there, or why not, and which sensor decides,
- * because it has the highest probability of detection or, in a tie, comes nearest to a detection.
+ * Describes one cell of a coverage: whether each sensor detects the drone there, or why not, and which sensor
+ * determines the cause: the one that has the highest probability of detection or, in a tie, comes nearest to a
+ * detection.
  */
 public final class CellWords {
     private static final double LEAST_SHOWN = 0.005;
@@ -133,8 +134,8 @@ public final class CellWords {
     }
 
     /**
-     * The state of the cell according to the detection field, and the deciding sensor, if the margins that the field
-     * stores suffice to determine that sensor.
+     * The state of the cell according to the detection field, and the sensor that determines the cause, if the margins
+     * that the field stores suffice to identify that sensor.
      */
     public String deciding() {
         OptionalInt sensor = coverage.field().isOpen(height, column, row)
@@ -190,8 +191,8 @@ public final class CellWords {
     }
 
     /**
-     * The state of the cell and the deciding sensor, with its probability and its margin: {@code 30 m above the ground:
-     * hidden by a building ('Town hall'). 'radar' decides: probability 0, no signal.}
+     * The state of the cell and the sensor that determines the cause, with its probability and its margin: {@code 30 m
+     * above the ground: hidden by a building ('Town hall'). 'radar' determines the cause: probability 0, no signal.}
      */
     public String deciding(CellEvidence evidence) {
         int sensor = evidence.deciding();

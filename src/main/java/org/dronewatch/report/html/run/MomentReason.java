@@ -27,8 +27,8 @@ record MomentReason(Explanation explanation, String words) {
     }
 
     /**
-     * The reason for a drone that the sensor detects at other times. A look at this moment might detect it: then chance
-     * decides, or there is no look at this moment.
+     * The reason for a drone that the sensor detects at other times. If a look at this moment might detect the drone,
+     * the reason is chance, or that there is no look at this moment.
      *
      * @param hasObserved whether the sensor has observed the drone before, detected or not
      */

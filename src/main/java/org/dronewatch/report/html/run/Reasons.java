@@ -90,8 +90,8 @@ final class Reasons {
     }
 
     /**
-     * Why a sensor does not detect some drones while it does not, although it detects them at other times, in words;
-     * several reasons with the part of the run for which each holds.
+     * Why a sensor that detects some drones at times does not detect them at other times, in words; several reasons are
+     * given with the part of the run for which each holds.
      *
      * @param detected when the sensor detects which drone
      * @param looks of the run

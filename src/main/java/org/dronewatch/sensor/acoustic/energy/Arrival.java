@@ -77,7 +77,7 @@ final class Arrival {
      * @param order how many surfaces it has hit, including this one
      */
     void meet(double distance, double arriving, int order) {
-        leg.fly(distance);
+        leg.travel(distance);
         orders[0] = order;
         throughWalls[0] = leg.isThroughWalls();
         inverseDensities[0] = inverseDensity(arriving);

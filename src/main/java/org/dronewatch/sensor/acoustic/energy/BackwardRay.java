@@ -137,7 +137,7 @@ final class BackwardRay {
             energy.escape();
             return false;
         }
-        energy.fly(distance);
+        energy.travel(distance);
         ray.travelled += distance;
         if (ray.order >= model.maxOrder()) {
             energy.giveUp();

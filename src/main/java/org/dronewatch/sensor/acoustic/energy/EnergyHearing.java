@@ -81,7 +81,7 @@ public final class EnergyHearing implements SoundTracer {
         EnergyReading reading = read(sound, random, RayRecorder.NONE);
         Signal signal = signal(reading, sound.lines());
         return new Heard(
-                signal.quantity(), signal.threshold(), figures(reading, sound.lines()), ratios(reading.settled()));
+                signal.quantity(), signal.threshold(), figures(reading, sound.lines()), ratios(reading.forDetection()));
     }
 
     private List<Double> ratios(EnergyReading reading) {
@@ -99,7 +99,7 @@ public final class EnergyHearing implements SoundTracer {
             figures.put(BACKGROUND_CONVERGED, noise().isConverged() ? 1.0 : 0.0);
         }
         // Of the sound that decides, as the value of the look is.
-        for (HeardTone tone : lines.heard(reading.settled()::energy, background())) {
+        for (HeardTone tone : lines.heard(reading.forDetection()::energy, background())) {
             String name = "tone_" + tone.harmonic();
             figures.put(name + "_hz", tone.band().frequency());
             figures.put(name + "_width_hz", tone.band().width());
@@ -130,7 +130,7 @@ public final class EnergyHearing implements SoundTracer {
 
     /** A reading that rests on too few rays is not used for the decision: the exact paths alone decide. */
     private Signal signal(EnergyReading whole, LineSpectrum lines) {
-        EnergyReading reading = whole.settled();
+        EnergyReading reading = whole.forDetection();
         double value = reading.aWeightedLevel();
         double over = background().aWeighted();
         if (model.criterion() != Criterion.A_WEIGHTED) {

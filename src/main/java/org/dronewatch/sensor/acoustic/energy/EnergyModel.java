@@ -76,11 +76,11 @@ public record EnergyModel(
     public enum Criterion {
         /** The A-weighted total level, compared with that of the background. */
         A_WEIGHTED,
-        /** The level in each band, compared with that of the background; the best band decides. */
+        /** The level in each band, compared with that of the background; the best band counts. */
         BEST_BAND,
         /**
          * The level in a band around each of the drone's tones, as wide as the tone, compared with the level of the
-         * background in the same band; the best of these bands decides. For a drone without tones, as
+         * background in the same band; the best of these bands counts. For a drone without tones, as
          * {@link #BEST_BAND}.
          */
         NARROW_BAND

@@ -59,7 +59,7 @@ final class EnergyPacket {
     }
 
     /** Deducts what the air absorbs over a distance, m. */
-    void fly(double distance) {
+    void travel(double distance) {
         air.attenuate(energy, distance, ledger.airByBand());
     }
 

@@ -49,7 +49,7 @@ public record EnergyReading(
      * This reading or, if too few rays contributed, its exact paths alone. The standard error remains that of the whole
      * reading: the paths are exact, but it is uncertain how much of the total sound they carry.
      */
-    public EnergyReading settled() {
+    public EnergyReading forDetection() {
         return isConverged ? this : SettingsForm.with(this, "reverberant", Collections.nCopies(OctaveBands.COUNT, 0.0));
     }
 

@@ -5,9 +5,10 @@ import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * An allowance for rays that were not drawn: what a rare ray may contribute that is scattered once, by a surface near
- * one of the ends that the others have missed. It is for the case in which no ray has shown such a surface, and
- * therefore does not depend on what rays contribute; where there is no such surface it is too large.
+ * An allowance for rays that were not drawn: the possible contribution of a rare ray that is scattered once, by a
+ * surface near one of the ends, where all other rays have missed this surface. The allowance is for the case in which
+ * no ray has shown such a surface, and therefore does not depend on what rays contribute; where there is no such
+ * surface, it is too large.
  *
  * <p>A path that is scattered once, at the distances l and d from the ends and at the angles a and b to the surface's
  * normal, is found by rays from both ends. By the balance heuristic ({@link Connections}) each of them contributes E /

@@ -146,7 +146,7 @@ final class ScatteredSound {
             int material = world.material(triangle, ray.originX, ray.originY);
             ray.standOff(normal, 1.0);
             ray.travelled += flown;
-            leg.fly(flown);
+            leg.travel(flown);
             double arriving = -along();
             boolean isOfImage = leg.order() == 0 || leg.matchesFromStart(ends.ofTarget());
             double inverseDensity = before;

@@ -43,7 +43,7 @@ public final class SpecularLeg {
     }
 
     /** Records that the ray travelled a distance, m. */
-    public void fly(double distance) {
+    public void travel(double distance) {
         length += distance;
     }
 

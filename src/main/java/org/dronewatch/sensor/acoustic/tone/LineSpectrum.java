@@ -14,8 +14,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.sound.Tone;
 
 /**
- * The tones in a drone's sound, at their frequencies at the microphone. A tone is attenuated like its octave band on
- * average; the spectra of noise and of broadband sound are flat within each octave band. Immutable.
+ * The tones in a drone's sound, at their frequencies at the microphone. A tone is taken to be attenuated as much as its
+ * octave band is on average, and the spectra of noise and of broadband sound to be flat within each octave band.
+ * Immutable.
  */
 public final class LineSpectrum {
     /** The spectrum of a drone without tones. */

@@ -66,10 +66,10 @@ class DecisiveErrorTest {
         List<Double> some = Collections.nCopies(8, 100.0);
         EnergyAudit audit = new EnergyAudit(0, 0, 0, 0, 0, 0, 0);
         EnergyReading few = new EnergyReading(some, some, some, some, 5, 3.0, false, audit, new DecayCurve());
-        assertThat(few.settled().standardError()).isEqualTo(3.0);
-        assertThat(few.settled().level(0)).isLessThan(few.level(0));
+        assertThat(few.forDetection().standardError()).isEqualTo(3.0);
+        assertThat(few.forDetection().level(0)).isLessThan(few.level(0));
         EnergyReading many = new EnergyReading(some, some, some, some, 5, 3.0, true, audit, new DecayCurve());
-        assertThat(many.settled()).isEqualTo(many);
-        assertThat(many.settled().standardError()).isEqualTo(3.0);
+        assertThat(many.forDetection()).isEqualTo(many);
+        assertThat(many.forDetection().standardError()).isEqualTo(3.0);
     }
 }
