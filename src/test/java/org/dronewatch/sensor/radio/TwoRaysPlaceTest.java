@@ -11,6 +11,7 @@ import org.dronewatch.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Where a path is reflected, and which part of the ground counts. */
 class TwoRaysPlaceTest {
@@ -85,15 +86,19 @@ class TwoRaysPlaceTest {
         }
     }
 
-    /** The antenna is asked for the mirror image's direction, by a vector as long as the direct path. */
-    @Test
-    void theAntennaIsAskedForTheDirectionOfTheImage() {
+    /** The antenna is asked for the direction of the mirror image, by a vector as long as the direct path. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.3, -0.2})
+    void theAntennaIsAskedForTheDirectionOfTheImage(double rise) {
         Place place = new Place(0.7, 40, -90);
-        TwoRays rays = new TwoRays(strips(place, new double[] {-900, 900}, new double[] {0, 0}, false), SURFACE);
-        Position image = new Position(0, 500, -40);
-        Position expected = place.turned(image.times(FROM.distance(TO) / image.length()));
+        World world = strips(place, new double[] {-900, 900}, new double[] {-900 * rise, 900 * rise}, false);
+        TwoRays rays = new TwoRays(world, SURFACE);
+        Position to = TO.plus(new Position(0, 0, 500 * rise));
+        Position normal = new Position(0, -rise, 1).times(1 / Math.hypot(rise, 1));
+        Position image = to.minus(normal.times(2 * to.dot(normal))).minus(FROM);
+        Position expected = place.turned(image.times(FROM.distance(to) / image.length()));
         List<Position> asked = new ArrayList<>();
-        rays.weighted(place.of(FROM), place.of(TO), 1e9, true, way -> {
+        rays.weighted(place.of(FROM), place.of(to), 1e9, true, way -> {
             asked.add(way);
             return 0;
         });
