@@ -94,4 +94,10 @@ class AntennaPatternTest {
                 .isThrownBy(() -> ANTENNA.withSideLobes(101))
                 .withMessageContaining("sideLobes 101");
     }
+
+    @Test
+    void sideLobesAreASetting() {
+        AntennaPattern antenna = new AntennaPattern(0.1, 0.2, 20);
+        assertThat(antenna.withSideLobes(35)).isEqualTo(new AntennaPattern(0.1, 0.2, 35));
+    }
 }

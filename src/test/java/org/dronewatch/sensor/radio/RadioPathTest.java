@@ -22,7 +22,7 @@ class RadioPathTest {
     private static final Position RECEIVER = new Position(0, 0, 20);
 
     /** A box without a floor. */
-    private static TriangleMesh box(double west, double east, double south, double north, double bottom, double top) {
+    static TriangleMesh box(double west, double east, double south, double north, double bottom, double top) {
         float[] corners = new float[24];
         for (int i = 0; i < 8; i++) {
             corners[3 * i] = (float) ((i & 1) == 0 ? west : east);
@@ -264,7 +264,7 @@ class RadioPathTest {
     }
 
     /** Boxes at multiples of 10 m, so that many have walls in common, on uneven ground. */
-    private static World town(SplittableRandom random) {
+    static World town(SplittableRandom random) {
         List<TriangleMesh> all = new ArrayList<>();
         for (int box = 0; box < 150; box++) {
             double west = 10.0 * random.nextInt(-40, 40);
