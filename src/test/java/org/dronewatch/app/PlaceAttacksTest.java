@@ -95,7 +95,7 @@ class PlaceAttacksTest {
         assertThat(outcome.out())
                 .contains("numbers of cases, and percentages of them with 95 % confidence intervals:")
                 .contains("the same cases compared:")
-                .contains("detected: layout - today = +");
+                .contains("detected: layout minus today = +");
         assertThat(Files.readString(directory.resolve("report.html")))
                 .contains("<h2>The same attacks against the layout and today's sensors</h2>")
                 .contains("In 30 attacks, the alert is in time in ")

@@ -264,7 +264,7 @@ class PlaceMonacoTest {
                 .contains(place.outcome()
                         .out()
                         .lines()
-                        .filter(line -> line.startsWith("in time: layout - today"))
+                        .filter(line -> line.startsWith("in time: layout minus today"))
                         .map(line -> line.replaceFirst(".* today = ", "").replaceFirst("\\), .*", ")"))
                         .findFirst()
                         .orElseThrow());
