@@ -16,6 +16,12 @@ public final class Clearance {
      */
     public static final double GAP = 1e-4;
 
+    /** A position nearer to a surface than this lies on it, m. */
+    private static final double TOUCHING = 0.5 * GAP;
+
+    /** A position that has been moved off a surface is no longer near it, whatever rounding has done. */
+    private static final double ALMOST = 0.99;
+
     /** A position in a corner lies on up to three walls. */
     private static final int MAX_WALLS = 3;
 
@@ -33,7 +39,7 @@ public final class Clearance {
 
     /** Whether a position lies on a surface. */
     public boolean isOnSurface(Position position) {
-        return touched(position) >= 0;
+        return near(position, TOUCHING) >= 0;
     }
 
     /**
@@ -42,28 +48,59 @@ public final class Clearance {
      */
     public Position of(Position position) {
         Position clear = position;
-        for (int wall = 0; wall < MAX_WALLS; wall++) {
-            int triangle = touched(clear);
-            if (triangle < 0) {
-                return clear;
-            }
-            mesh.normal(triangle, normal);
-            double length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-            double before = ((clear.x() - mesh.coordinate(triangle, 0, 0)) * normal[0]
-                            + (clear.y() - mesh.coordinate(triangle, 0, 1)) * normal[1]
-                            + (clear.z() - mesh.coordinate(triangle, 0, 2)) * normal[2])
-                    / length;
-            double step = (GAP - before) / length;
-            clear = clear.plus(new Position(step * normal[0], step * normal[1], step * normal[2]));
+        int triangle = near(clear, TOUCHING);
+        for (int wall = 0; wall < MAX_WALLS && triangle >= 0; wall++) {
+            clear = moved(clear, triangle, GAP - height(clear, triangle));
+            triangle = near(clear, TOUCHING);
         }
         return clear;
     }
 
-    /** A triangle nearer than half the gap along an axis; -1 for none. */
-    private int touched(Position position) {
+    /**
+     * A clear position itself or, if it is near a surface, one farther from that, on the same side. Where another
+     * surface is in the way, the position stays where it is.
+     *
+     * @param distance the least distance from surfaces, m; approximate where a surface is not parallel to an axis
+     */
+    public Position apart(Position clear, double distance) {
+        Position apart = clear;
+        double near = ALMOST * distance;
+        int triangle = near(apart, near);
+        for (int wall = 0; wall < MAX_WALLS && triangle >= 0; wall++) {
+            double height = height(apart, triangle);
+            apart = moved(apart, triangle, Math.copySign(distance, height) - height);
+            triangle = near(apart, near);
+        }
+        Position way = apart.minus(clear);
+        boolean isBlocked = apart != clear
+                && traversal.closestHit(clear.x(), clear.y(), clear.z(), way.x(), way.y(), way.z(), 0.0, 1.0);
+        return isBlocked ? clear : apart;
+    }
+
+    private Position moved(Position position, int triangle, double by) {
+        mesh.normal(triangle, normal);
+        double step = by / length();
+        return position.plus(new Position(step * normal[0], step * normal[1], step * normal[2]));
+    }
+
+    /** The signed distance from a triangle's plane, m. */
+    private double height(Position position, int triangle) {
+        mesh.normal(triangle, normal);
+        return ((position.x() - mesh.coordinate(triangle, 0, 0)) * normal[0]
+                        + (position.y() - mesh.coordinate(triangle, 0, 1)) * normal[1]
+                        + (position.z() - mesh.coordinate(triangle, 0, 2)) * normal[2])
+                / length();
+    }
+
+    private double length() {
+        return Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    }
+
+    /** A triangle nearer than a distance along an axis; -1 for none. */
+    private int near(Position position, double distance) {
         for (double[] axis : AXES) {
             if (traversal.closestHit(
-                    position.x(), position.y(), position.z(), axis[0], axis[1], axis[2], 0.0, 0.5 * GAP)) {
+                    position.x(), position.y(), position.z(), axis[0], axis[1], axis[2], 0.0, distance)) {
                 return traversal.triangle();
             }
         }

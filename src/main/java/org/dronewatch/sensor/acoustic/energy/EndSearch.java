@@ -52,14 +52,11 @@ final class EndSearch {
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
     private static final int MOST_EXTRA = 6;
 
+    /** A wall is beside both ends if neither is farther from its plane than this, m. */
+    private static final double BESIDE = 2.0;
+
     /** Maximum number of image sources from which those that join scattered sound to an end are chosen. */
     private static final int MOST_CANDIDATES = 200;
-
-    /**
-     * Image sources with a purely specular path are left to the rays that happen to pass the source if one of them
-     * increases the relative variance of a reading by less than this: there may be thousands.
-     */
-    private static final double HARDLY_ANYTHING = 1e-6;
 
     /** Where less than this fraction of rays leaves the site over their first surfaces, the space is enclosed. */
     private static final double OPEN = 0.1;
@@ -72,14 +69,13 @@ final class EndSearch {
     private static final int SCATTERINGS = 3;
 
     private final int maxOrder;
-    private final double ofOneRay;
     private final Position sensor;
     private final WallPlanes planes;
     private final ImageSourceSearch search;
     private final ScatterSamples samples;
     private final JoinedImages joined;
     private final RoughEstimate rough;
-    private final double[] mirrored;
+    private final WorthwhileImages worthwhile;
     private final Samples samplesOfSensor;
 
     /**
@@ -91,29 +87,15 @@ final class EndSearch {
     EndSearch(
             EnergyModel model, Position sensor, double radius, World world, WallPlanes planes, BandSurfaces surfaces) {
         this.maxOrder = model.imageSourceOrder();
-        this.ofOneRay = 1.0 / (Math.min(model.rays(), MOST_RAYS) * Math.PI * radius * radius);
+        double ofOneRay = 1.0 / (Math.min(model.rays(), MOST_RAYS) * Math.PI * radius * radius);
         this.sensor = sensor;
         this.planes = planes;
         this.search = new ImageSourceSearch(world, planes, surfaces);
         this.samples = new ScatterSamples(world, planes, surfaces);
         this.joined = new JoinedImages(planes, new SpecularPath(world, planes, surfaces), ofOneRay);
+        this.worthwhile = new WorthwhileImages(world, planes, surfaces, ofOneRay);
         this.rough = new RoughEstimate(world, planes, surfaces);
         this.samplesOfSensor = samples.from(sensor, SAMPLES, SCATTERINGS);
-        this.mirrored = new double[planes.count()];
-        for (int wall = 0; wall < mirrored.length; wall++) {
-            mirrored[wall] = world.materialsOf(planes.triangleOf(wall))
-                    .mapToDouble(material -> mirrored(material, surfaces))
-                    .max()
-                    .orElseThrow();
-        }
-    }
-
-    private static double mirrored(int material, BandSurfaces surfaces) {
-        double mean = 0.0;
-        for (int band = 0; band < OctaveBands.COUNT; band++) {
-            mean += surfaces.mirrored(material, band) / OctaveBands.COUNT;
-        }
-        return mean;
     }
 
     /**
@@ -168,23 +150,29 @@ final class EndSearch {
         boolean isToShelter = Math.min(escapedOfSource, escapedOfSensor) < SHELTERED;
         double direct = rough.through(drone, sensor);
         End fromHere = sensor(isToShelter, direct);
-        ImageSources fromSensor = worthwhile(fromHere.pure(), sensor, drone, guess);
+        ImageSources fromSensor = worthwhile.among(fromHere.pure(), sensor, drone, guess);
         if (escapedOfSource <= OPEN && escapedOfSensor <= OPEN) {
-            exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], curvature);
-            ImageSources none = ImageSources.NONE;
-            Set<Integer> scatterers = scatterers(samplesOfSensor, samplesOfSource);
-            return new Ends(
-                    source, sensor, false, none, none, none, fromSensor, none, guess, curvature, false, scatterers);
+            int[] beside = beside(drone, firstWalls(fromHere));
+            exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], beside, curvature);
+            return enclosed(source, fromSensor, exact, guess, curvature, samplesOfSource);
         }
         End fromThere = end(drone, fromHere.rays(), samplesOfSource, direct);
-        ImageSources fromSource = worthwhile(fromThere.pure(), drone, sensor, guess);
+        ImageSources fromSource = worthwhile.among(fromThere.pure(), drone, sensor, guess);
         int[] extra = IntStream.concat(firstWalls(fromHere), firstWalls(fromThere))
                 .distinct()
                 .toArray();
-        exact.find(source, sensor, fromSensor, fromSource, extra, curvature);
+        int[] beside = beside(drone, Arrays.stream(extra));
+        exact.find(source, sensor, fromSensor, fromSource, extra, beside, curvature);
         return escapedOfSource < Math.min(SHELTERED, escapedOfSensor)
                 ? between(source, true, fromThere, fromSource, fromHere, fromSensor, exact, curvature)
                 : between(source, false, fromHere, fromSensor, fromThere, fromSource, exact, curvature);
+    }
+
+    /** Of some walls, those beside both ends. */
+    private int[] beside(Position drone, IntStream walls) {
+        return walls.filter(wall -> Math.abs(planes.height(wall, drone.x(), drone.y(), drone.z())) < BESIDE
+                        && Math.abs(planes.height(wall, sensor.x(), sensor.y(), sensor.z())) < BESIDE)
+                .toArray();
     }
 
     private static IntStream firstWalls(End end) {
@@ -201,9 +189,36 @@ final class EndSearch {
         Position drone = source.position();
         double guess = rough.scattered(drone, samplesOfSensor) + rough.straight(drone, sensor);
         End fromHere = sensor(true, rough.through(drone, sensor));
-        ImageSources fromSensor = worthwhile(fromHere.pure(), sensor, drone, guess);
+        ImageSources fromSensor = worthwhile.among(fromHere.pure(), sensor, drone, guess);
         int[] extra = firstWalls(fromHere).toArray();
-        exact.find(source, sensor, fromSensor, ImageSources.NONE, extra, curvature);
+        int[] beside = beside(drone, Arrays.stream(extra));
+        exact.find(source, sensor, fromSensor, ImageSources.NONE, extra, beside, curvature);
+    }
+
+    private Ends enclosed(
+            SoundSource source,
+            ImageSources fromSensor,
+            ExactPaths exact,
+            double known,
+            PathCurvature curvature,
+            Samples samplesOfSource) {
+        ImageSourceCandidates exactly = new ImageSourceCandidates();
+        for (int[] walls : exact.wallSequences()) {
+            exactly.add(walls, 0.0);
+        }
+        return new Ends(
+                source,
+                sensor,
+                false,
+                ImageSources.NONE,
+                ImageSources.NONE,
+                ImageSources.NONE,
+                fromSensor,
+                exactly.best(Integer.MAX_VALUE, 0.0),
+                known,
+                curvature,
+                false,
+                scatterers(samplesOfSensor, samplesOfSource));
     }
 
     private Ends between(
@@ -265,30 +280,6 @@ final class EndSearch {
         Set<Integer> scatterers = new TreeSet<>(one.materials());
         scatterers.addAll(other.materials());
         return scatterers;
-    }
-
-    /**
-     * The image sources for which it is worth searching for purely specular paths.
-     *
-     * @param from where they were found
-     * @param to where they may lead
-     * @param known what is heard without them
-     */
-    private ImageSources worthwhile(ImageSources imageSources, Position from, Position to, double known) {
-        double[] images = new double[3 * imageSources.count()];
-        imageSources.positions(from.x(), from.y(), from.z(), planes, images);
-        double[] left = new double[imageSources.count()];
-        left[ImageSources.ORIGINAL] = 1.0;
-        boolean[] isWorthwhile = new boolean[imageSources.count()];
-        for (int image = 1; image < left.length; image++) {
-            left[image] = left[imageSources.parent(image)] * mirrored[imageSources.wall(image)];
-            double x = images[3 * image] - to.x();
-            double y = images[3 * image + 1] - to.y();
-            double z = images[3 * image + 2] - to.z();
-            double heard = left[image] / (4.0 * Math.PI * (x * x + y * y + z * z));
-            isWorthwhile[image] = heard * left[image] * ofOneRay >= HARDLY_ANYTHING * known * known;
-        }
-        return imageSources.kept(isWorthwhile);
     }
 
     private static void addAll(ImageSources imageSources, ImageSourceCandidates same, ImageSourceCandidates reverse) {

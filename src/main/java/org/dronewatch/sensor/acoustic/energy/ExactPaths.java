@@ -52,6 +52,7 @@ final class ExactPaths {
      * @param ofSensor image sources of the sensor
      * @param ofSource image sources of the source
      * @param extra walls that a path may hit besides those of an image source
+     * @param beside walls beside both ends
      * @param curvature of the paths of sound
      */
     void find(
@@ -60,6 +61,7 @@ final class ExactPaths {
             ImageSources ofSensor,
             ImageSources ofSource,
             int[] extra,
+            int[] beside,
             PathCurvature curvature) {
         direct.clear();
         diffracted.clear();
@@ -77,15 +79,16 @@ final class ExactPaths {
                 EnteredSolids.NONE,
                 straightOn);
         ground.find(source, sensor, walls.isFree(), straightOn);
-        specular.bend(curvature);
         if (isThrough) {
             addDirect(source, sensor);
         }
         if (!walls.isFree()) {
             addDiffracted(source, sensor);
         }
-        specular.addTo(mirrored, source, sensor, ofSensor, ofSource);
-        specular.addNeighbours(mirrored, source, sensor, extra, model.imageSourceOrder());
+        specular.begin(source, sensor, curvature);
+        specular.addTo(mirrored, ofSensor, ofSource);
+        specular.addAlong(mirrored, beside, model.imageSourceOrder());
+        specular.addNeighbours(mirrored, extra, model.imageSourceOrder());
         ground.addTo(direct, mirrored, source, sensor);
     }
 

@@ -12,6 +12,7 @@ import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.sound.OctaveBands;
+import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
@@ -27,14 +28,37 @@ final class SpecularPaths {
     /** Once this many paths are known, no more neighbours are searched for. */
     private static final int MOST_NEIGHBOURS = 64;
 
+    /**
+     * Ends are kept off surfaces by this multiple of the planes' tolerance. Nearer to a surface, rounding of the walls
+     * decides whether a long path runs along the surface or hits it.
+     */
+    private static final double OFF = 30.0;
+
+    /** The greatest distance by which ends are kept off surfaces, m. */
+    private static final double MOST_OFF = 0.05;
+
     private final WallPlanes planes;
     private final Air air;
     private final GroundReflection ground;
+    private final Clearance clearance;
     private final SpecularPath path;
     private final SingleReflections reflections;
     private final double[] heard = new double[BANDS];
+    private SoundSource source;
+    private Position sensor;
+
+    /** The source and the sensor, kept off surfaces. */
+    private Position fromSource;
+
+    private Position fromSensor;
     private PathCurvature curvature = PathCurvature.NONE;
+
+    /** The walls of paths over one wall. */
+    private final List<int[]> singles = new ArrayList<>();
+
+    /** The walls of paths over several walls, from the source on. */
     private final List<int[]> found = new ArrayList<>();
+
     private double[] imagePositions = new double[0];
     private double[] images = new double[3 * 16];
 
@@ -42,51 +66,88 @@ final class SpecularPaths {
         this.planes = planes;
         this.air = air;
         this.ground = ground;
+        this.clearance = new Clearance(world);
         this.path = new SpecularPath(world, planes, surfaces);
         path.throughWalls(true);
         this.reflections = new SingleReflections(planes);
     }
 
-    /** Sets how air bends the paths of the next look. */
-    void bend(PathCurvature ofAir) {
+    /**
+     * Begins a look.
+     *
+     * @param ofAir how air bends the paths
+     */
+    void begin(SoundSource from, Position to, PathCurvature ofAir) {
+        double off = Math.min(MOST_OFF, OFF * planes.tolerance());
+        source = from;
+        sensor = to;
+        fromSource = clearance.apart(from.position(), off);
+        fromSensor = clearance.apart(to, off);
         curvature = ofAir;
+        found.clear();
+        singles.clear();
     }
 
     /**
-     * Adds all paths from the source to the sensor.
+     * Adds all paths that are found from image sources.
      *
      * @param ofSensor image sources of the sensor
      * @param ofSource image sources of the source
      */
-    void addTo(FoundPaths paths, SoundSource source, Position sensor, ImageSources ofSensor, ImageSources ofSource) {
-        found.clear();
-        Position drone = source.position();
+    void addTo(FoundPaths paths, ImageSources ofSensor, ImageSources ofSource) {
         path.bend(curvature, true);
+        addSingle(paths);
+        imagesOf(fromSensor, ofSensor);
+        for (int image = 1; image < ofSensor.count(); image++) {
+            if (ofSensor.order(image) > 1 && isPath(ofSensor, image, fromSource)) {
+                addIfNew(paths, reversed(ofSensor.walls(image)), 1.0);
+            }
+        }
+        path.bend(curvature, false);
+        imagesOf(fromSource, ofSource);
+        for (int image = 1; image < ofSource.count(); image++) {
+            if (ofSource.order(image) > 1
+                    && !ofSensor.contains(ofSource.order(image), ofSource.keyOfReverse(image))
+                    && isPath(ofSource, image, fromSensor)) {
+                addIfNew(paths, ofSource.walls(image), -1.0);
+            }
+        }
+    }
+
+    private void addSingle(FoundPaths paths) {
+        Position drone = source.position();
         reflections.find(drone.x(), drone.y(), drone.z(), sensor.x(), sensor.y(), sensor.z());
         for (int i = 0; i < reflections.count(); i++) {
             ImageSources single = ImageSources.of(reflections.wall(i));
             imagesOf(sensor, single);
-            if (path.follow(single, imagePositions, 1, drone.x(), drone.y(), drone.z())) {
+            if (isPath(single, 1, drone)) {
                 FoundPaths itsPlace = ground.among(paths, path.metFirst(0), path.metFirst(1), path.metFirst(2));
-                add(itsPlace, source, path.riseFromBeginning());
+                add(itsPlace, path.length(), path.riseFromBeginning());
+                singles.add(new int[] {reflections.wall(i)});
             }
         }
-        imagesOf(sensor, ofSensor);
-        for (int image = 1; image < ofSensor.count(); image++) {
-            if (ofSensor.order(image) > 1
-                    && path.follow(ofSensor, imagePositions, image, drone.x(), drone.y(), drone.z())
-                    && keepIfNew(reversed(ofSensor.walls(image)), 1.0)) {
-                add(paths, source, path.riseFromBeginning());
-            }
-        }
-        path.bend(curvature, false);
-        imagesOf(drone, ofSource);
-        for (int image = 1; image < ofSource.count(); image++) {
-            if (ofSource.order(image) > 1
-                    && !ofSensor.contains(ofSource.order(image), ofSource.keyOfReverse(image))
-                    && path.follow(ofSource, imagePositions, image, sensor.x(), sensor.y(), sensor.z())
-                    && keepIfNew(ofSource.walls(image), -1.0)) {
-                add(paths, source, path.riseFromEnd());
+    }
+
+    private boolean isPath(ImageSources imageSources, int image, Position from) {
+        return path.follow(imageSources, imagePositions, image, from.x(), from.y(), from.z());
+    }
+
+    /**
+     * Adds paths that a wall beside both ends reflects on their way over other walls. Rays from either end hit that
+     * wall first, unless they run along it, and so miss these paths, which carry as much sound as those that run along
+     * it.
+     *
+     * @param beside the walls beside both ends
+     * @param maxOrder maximum number of walls of a path
+     */
+    void addAlong(FoundPaths paths, int[] beside, int maxOrder) {
+        List<int[]> known = new ArrayList<>(singles);
+        known.addAll(found);
+        for (int[] walls : known) {
+            for (int place = 0; place <= walls.length && walls.length < maxOrder; place++) {
+                for (int wall : beside) {
+                    addOver(with(walls, place, wall), paths);
+                }
             }
         }
     }
@@ -98,30 +159,28 @@ final class SpecularPaths {
      * @param extra the walls that may be added
      * @param maxOrder maximum number of walls of a path
      */
-    void addNeighbours(FoundPaths paths, SoundSource source, Position sensor, int[] extra, int maxOrder) {
+    void addNeighbours(FoundPaths paths, int[] extra, int maxOrder) {
         for (int i = 0; i < found.size() && found.size() < MOST_NEIGHBOURS; i++) {
             int[] walls = found.get(i);
             for (int place = 0; place < walls.length && walls.length > 2; place++) {
-                addOver(without(walls, place), paths, source, sensor);
+                addOver(without(walls, place), paths);
             }
             for (int place = 0; place <= walls.length && walls.length < maxOrder; place++) {
                 for (int wall : extra) {
-                    addOver(with(walls, place, wall), paths, source, sensor);
+                    addOver(with(walls, place, wall), paths);
                 }
             }
         }
     }
 
-    private void addOver(int[] walls, FoundPaths paths, SoundSource source, Position sensor) {
+    private void addOver(int[] walls, FoundPaths paths) {
         if (isTwiceInTurn(walls) || found.stream().anyMatch(known -> Arrays.equals(known, walls))) {
             return;
         }
-        Position drone = source.position();
         ImageSources imageSources = ImageSources.of(walls);
-        imagesOf(drone, imageSources);
-        if (path.follow(imageSources, imagePositions, walls.length, sensor.x(), sensor.y(), sensor.z())
-                && keepIfNew(walls, -1.0)) {
-            add(paths, source, path.riseFromEnd());
+        imagesOf(fromSource, imageSources);
+        if (isPath(imageSources, walls.length, fromSensor)) {
+            addIfNew(paths, walls, -1.0);
         }
     }
 
@@ -162,12 +221,13 @@ final class SpecularPaths {
     }
 
     /**
-     * At the edge of two perpendicular walls, both orders of the walls give the same path.
+     * Adds the last path unless it is known: at the edge of two perpendicular walls, both orders of the walls give the
+     * same path.
      *
      * @param walls from the source on
      * @param side positive where the path was followed from the source, negative where from the sensor
      */
-    private boolean keepIfNew(int[] walls, double side) {
+    private void addIfNew(FoundPaths paths, int[] walls, double side) {
         double x = path.length() * path.leaving(side, 0);
         double y = path.length() * path.leaving(side, 1);
         double z = path.length() * path.leaving(side, 2);
@@ -175,7 +235,7 @@ final class SpecularPaths {
             double away =
                     Math.abs(images[3 * i] - x) + Math.abs(images[3 * i + 1] - y) + Math.abs(images[3 * i + 2] - z);
             if (away < ALIKE * planes.tolerance() && isPermutation(found.get(i), walls)) {
-                return false;
+                return;
             }
         }
         if (3 * found.size() == images.length) {
@@ -185,7 +245,17 @@ final class SpecularPaths {
         images[3 * found.size() + 1] = y;
         images[3 * found.size() + 2] = z;
         found.add(walls);
-        return true;
+        add(paths, lengthOver(walls), side > 0.0 ? path.riseFromBeginning() : path.riseFromEnd());
+    }
+
+    /** The length of a path over some walls between the source and the sensor themselves, m. */
+    private double lengthOver(int[] walls) {
+        Position drone = source.position();
+        double[] image = {drone.x(), drone.y(), drone.z()};
+        for (int wall : walls) {
+            planes.mirror(wall, image, 0, image, 0);
+        }
+        return sensor.distance(new Position(image[0], image[1], image[2]));
     }
 
     private static boolean isPermutation(int[] some, int[] others) {
@@ -196,8 +266,7 @@ final class SpecularPaths {
         return Arrays.equals(a, b);
     }
 
-    private void add(FoundPaths paths, SoundSource source, double rise) {
-        double length = path.length();
+    private void add(FoundPaths paths, double length, double rise) {
         for (int band = 0; band < BANDS; band++) {
             heard[band] = path.reflected(band) * source.spread(air, band, rise, length);
         }

@@ -131,6 +131,23 @@ class SurfaceContactTest {
         assertThat(clearance.of(new Position(3, 5, -1e-5)).z()).isCloseTo(Clearance.GAP, within(1e-12));
     }
 
+    @Test
+    void placesNearSurfacesAreKeptApartOnTheSameSide() {
+        World corner = Sites.world(
+                World.merge(List.of(Sites.square(500, 0), Sites.wall(0, -2, -9, 9, 0, 9), Sites.square(1, 0.04))),
+                RIGID);
+        Clearance clearance = new Clearance(corner);
+        assertThat(clearance.apart(new Position(3, 5, 0.002), 0.05)).isEqualTo(new Position(3, 5, 0.05));
+        assertThat(clearance.apart(new Position(3, 5, -0.002), 0.05)).isEqualTo(new Position(3, 5, -0.05));
+        assertThat(clearance.apart(new Position(-2.01, 5, 0.03), 0.05)).isEqualTo(new Position(-2.05, 5, 0.05));
+        Position far = new Position(3, 5, 0.05);
+        assertThat(clearance.apart(far, 0.05)).isSameAs(far);
+        Position underPlate = new Position(0.5, 0.5, 0.01);
+        assertThat(clearance.apart(underPlate, 0.05))
+                .as("a plate 4 cm above the ground")
+                .isSameAs(underPlate);
+    }
+
     /**
      * A box of outward triangles: what lies on its walls, edges and corners is put just outside, and hears nothing of a
      * drone inside, though every wall is within rounding of it.
