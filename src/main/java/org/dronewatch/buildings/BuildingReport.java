@@ -110,7 +110,7 @@ final class BuildingReport {
         woodArea += squareMetres;
     }
 
-    /** How far the lowest points of the solids of a city model lie above the ground, m. */
+    /** Records how far the lowest points of the solids of a city model lie above the ground, m. */
     void floors(List<Double> heights) {
         floors.addAll(heights);
         Collections.sort(floors);

@@ -16,7 +16,10 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.input.PackagedSite;
 import org.dronewatch.terrain.TerrainGround;
 
-/** What all buildings of a map have in common: its place on the earth, its ground, and how features become solids. */
+/**
+ * What all buildings of a map have in common: the position of the map on the earth, the ground, and how features become
+ * solids.
+ */
 final class BuildingSite {
     /** Thickness of the roof of a building without walls, m. */
     private static final double SLAB = 0.3;

@@ -14,7 +14,7 @@ import org.dronewatch.terrain.TerrainGround;
 
 /**
  * Woods as solids of uniform height over the ground, whose tops follow the ground: each triangle of a wood is cut along
- * those of the terrain. Nothing passes through them, as through dense foliage.
+ * those of the terrain. They are opaque, as dense foliage is.
  */
 final class Canopies {
     /** The acoustic surface of the edge of a wood, by its name in the table of surfaces. */

@@ -100,7 +100,7 @@ final class CityBuildings {
         return area;
     }
 
-    /** How far the lowest corner lies above the ground below it. */
+    /** Records how far the lowest corner lies above the ground below it. */
     private void compare(int[] corners, TerrainGround ground) {
         int lowest = corners[0];
         for (int vertex : corners) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.geometry.Ints;
 
-/** The outlines of a solid of a city model: the rim of all that faces downwards, as a plan shows it. */
+/** The outlines of a solid of a city model: the rim, in plan view, of all surfaces that face downwards. */
 final class CityOutlines {
     /** A smaller area is not an outline, m2. */
     private static final double SMALLEST = 0.1;
@@ -18,8 +18,8 @@ final class CityOutlines {
     /**
      * The outlines of one solid, one for each separate piece of its floor.
      *
-     * @param id what the model calls it
-     * @param corners three numbers of vertices for each triangle of the closed solid
+     * @param id identifier of the solid in the model
+     * @param corners the numbers of the three vertices of each triangle of the closed solid
      * @param vertices x, y, z of each in turn, m
      */
     static List<BuildingOutline> of(String id, int[] corners, double[] vertices) {
@@ -43,7 +43,9 @@ final class CityOutlines {
         return outlines;
     }
 
-    /** The sides of triangles that face downwards and have no neighbour that does, as seen from above; each once. */
+    /**
+     * The sides, as seen from above, at which a triangle that faces downwards has no neighbour that does; each once.
+     */
     private static Map<Integer, Integer> rim(int[] corners, double[] vertices) {
         Ints floor = new Ints();
         for (int i = 0; i < corners.length; i += 3) {

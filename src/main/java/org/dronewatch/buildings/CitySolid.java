@@ -11,7 +11,7 @@ import org.maplibre.earcut4j.Earcut;
 /**
  * The triangles of one solid of a city model, and its floor if the model has none.
  *
- * @param corners three numbers of vertices for each triangle
+ * @param corners the numbers of the three vertices of each triangle
  * @param floor how many of the triangles were added as a floor
  * @param isClosed whether each side of a triangle is also a side of another one, in the opposite direction
  * @param isWhole whether the triangles cover all surfaces

@@ -10,10 +10,10 @@ import java.util.stream.Stream;
 import org.dronewatch.buildings.io.MapLength;
 
 /**
- * How high a building is, and what its roof looks like, by the tags of OpenStreetMap (Simple 3D Buildings). Heights
- * are measured from the lowest ground under the building to the top of its roof.
+ * How high a building is, and what its roof looks like, by the tags of OpenStreetMap (Simple 3D Buildings). Heights are
+ * measured from the lowest ground under the building to the top of its roof.
  *
- * @param bottom height of its lowest point, 0 for what stands on the ground, m
+ * @param bottom height of its lowest point, 0 for a building that stands on the ground, m
  * @param top height of its highest point, m
  * @param basis what its height is taken from
  * @param roof the shape of its roof

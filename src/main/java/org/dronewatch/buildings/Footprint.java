@@ -46,9 +46,10 @@ record Footprint(double[] outer, List<double[]> courts) {
     /**
      * Triangles between the corners.
      *
-     * @param corners three numbers for each, counter-clockwise, of the corners of {@link #rings} in turn
+     * @param corners the numbers of the three corners of each triangle, counter-clockwise; the corners of all
+     *     {@link #rings} are numbered in turn
      * @param area area that the triangles cover together, m2
-     * @param isWhole whether they cover the outline; not if it crosses itself
+     * @param isWhole whether they cover the whole outline; false if the outline crosses itself
      */
     record Cut(int[] corners, double area, boolean isWhole) {}
 

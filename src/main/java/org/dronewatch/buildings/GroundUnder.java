@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.terrain.TerrainGround;
 
-/** The ground under buildings: heights are measured from its lowest point under each. */
+/** The ground under buildings: the heights of a building are measured from the lowest ground under it. */
 final class GroundUnder {
     private final TerrainGround terrain;
     private final Geodesy geodesy;

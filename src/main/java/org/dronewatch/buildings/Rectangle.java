@@ -1,7 +1,7 @@
 package org.dronewatch.buildings;
 
 /**
- * A rectangle about an outline, turned as its sides are.
+ * A rectangle about an outline, parallel to one of the sides of the outline.
  *
  * @param x of its centre, m
  * @param y of its centre, m

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Closed lines on a plane: x and y of each corner in turn, without the first one again. */
+/** Closed lines on a plane: x and y of each corner in turn, without repeating the first one. */
 final class Rings {
     private Rings() {}
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * A roof whose height at each point is that of the lowest of some planes there: gables, hips, pyramids, domes and
+ * A roof whose height at each point is that of the lowest of several planes there: gables, hips, pyramids, domes and
  * single slopes are of this kind. Heights are measured from the eaves.
  *
  * @param planes the planes, no two of which are the same

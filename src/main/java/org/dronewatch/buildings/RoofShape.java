@@ -1,6 +1,6 @@
 package org.dronewatch.buildings;
 
-/** The shapes of roofs that are built; all others are flat, at the full height of the building. */
+/** The roof shapes that are modelled; all other roofs are flat, at the full height of the building. */
 enum RoofShape {
     FLAT,
     /** Two slopes, one on either side of a ridge. */

@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 /**
  * Where a building stands, and which way is up there. Far from the origin the vertical leans: by a metre in a hundred
  * at 64 km, so walls lean in the world frame as they do on the round earth. Within a building, all verticals are taken
- * to be parallel: at 200 m across and 100 m high, 3 mm are lost.
+ * to be parallel: in a building 200 m across and 100 m high, this neglects 3 mm.
  */
 final class Upright {
     private static final double FAR = 100.0;

@@ -6,10 +6,10 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Builds a {@link Bvh}: first a binary tree of boxes, each split where the surface area heuristic finds it cheapest
- * among the borders of bins of the triangles' centres (Wald, "On fast construction of SAH-based bounding volume
- * hierarchies", 2007), then nodes of eight children, by repeatedly opening the largest. The tree is the same
- * for any number of threads.
+ * Builds a {@link Bvh}: first a binary tree of boxes, then nodes of eight children, by repeatedly opening the largest
+ * child. The centres of a box's triangles are sorted into bins, and the box is split at the border between bins that is
+ * cheapest by the surface area heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
+ * The tree is the same for any number of threads.
  */
 final class BvhBuilder {
     private static final int BOX = 6;
@@ -21,7 +21,7 @@ final class BvhBuilder {
     /** Maximum number of triangles of a leaf, where splitting does not pay. */
     private static final int MAX_IN_LEAF = 8;
 
-    /** Below this level, parts are halved by number: bounds the cost of degenerate input. */
+    /** Below this level, parts are halved by number, which bounds the cost of degenerate input. */
     private static final int DEEPEST = 60;
 
     /** Parts of fewer triangles are not worth another thread. */

@@ -1,7 +1,7 @@
 package org.dronewatch.bvh;
 
 /**
- * The layout of the BVH in one array of ints; the only file with its offsets. A node holds the boxes of its eight
+ * The layout of the BVH in one array of ints; no other class knows its offsets. A node holds the boxes of its eight
  * children and references to them; a block holds four triangles. Coordinates are the bits of floats, eight or four side
  * by side, so that one vector takes them all.
  *

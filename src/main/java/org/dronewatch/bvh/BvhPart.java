@@ -1,6 +1,6 @@
 package org.dronewatch.bvh;
 
-/** A node while the tree is built, with two parts or with triangles: what a {@link Bvh} is made from. */
+/** A node of the tree from which a {@link Bvh} is made: it has either two parts or triangles. */
 final class BvhPart {
     /** Low x, y, z, high x, y, z. */
     final float[] box;

@@ -12,16 +12,16 @@ import org.dronewatch.kdtree.RayTracer;
 import org.dronewatch.kdtree.StackTraversal;
 
 /**
- * Walks a {@link Bvh}: a step tests the boxes of eight children at once in single precision, widened by more than its
- * roundings; a block tests four triangles at once, in double precision by the arithmetic of
+ * Walks a {@link Bvh}: a step tests the boxes of eight children at once in single precision, widened by more than the
+ * rounding errors; a block tests four triangles at once, in double precision by the arithmetic of
  * {@code TriangleIntersection}. It hits what the kd-tree hits; where triangles meet at the very point that a ray hits,
  * it reports the nearest, even if only the last bit differs; of equally near ones, the one with the lowest number.
  *
  * <p>For incoherent rays: in a kd-tree they take many narrow steps, and processors mispredict half of them. Rays whose
- * numbers single precision cannot bound are left to the kd-tree.
+ * numbers cannot be bounded in single precision are left to the kd-tree.
  *
- * <p>The code keeps to what the just-in-time compiler turns into plain vector instructions: no masks, no vectors across
- * calls, the leaf in a separate method.
+ * <p>The code keeps to what the just-in-time compiler turns into plain vector instructions: no masks, no vectors passed
+ * from method to method, and a separate method for leaves.
  */
 final class BvhTraversal extends RayTracer {
     private static final VectorSpecies<Integer> INTS_8 = IntVector.SPECIES_256;

@@ -3,7 +3,7 @@ package org.dronewatch.bvh;
 import java.util.Arrays;
 import org.dronewatch.kdtree.LeafOrderTriangles;
 
-/** Writes a tree of parts as a {@link Bvh}: nodes of eight children, by repeatedly opening the largest. */
+/** Writes a tree of parts as a {@link Bvh}: nodes of eight children, by repeatedly opening the largest child. */
 final class BvhWriter {
     private final LeafOrderTriangles triangles;
     private final int[] order;

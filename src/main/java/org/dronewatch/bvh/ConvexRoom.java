@@ -17,7 +17,7 @@ final class ConvexRoom {
     /** Numbers of a plane: a unit vector, and the component along it of the plane's points. */
     static final int PLANE = 4;
 
-    /** The distance by which rounding may move a corner off a plane in which it is, relative to the room's size. */
+    /** The distance by which rounding may move a corner off a plane in which it lies, relative to the room's size. */
     private static final double ROUNDING = 1e-13;
 
     private final CornerTable table;

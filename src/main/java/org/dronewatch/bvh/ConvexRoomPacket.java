@@ -6,7 +6,7 @@ import org.dronewatch.kdtree.RayTracer;
 
 /**
  * Traces four rays in a {@linkplain ConvexRoom convex room}: from inside, a ray hits the wall whose plane it crosses
- * first. Rays from outside are traced one by one. {@link VectorConvexRoomPacket} finds the same with vector
+ * first. Rays from outside are traced one by one. {@link VectorConvexRoomPacket} gives the same results with vector
  * instructions, bit for bit.
  */
 class ConvexRoomPacket extends RayPacket {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** The corners of a mesh, those shared by several triangles once. Immutable. */
+/** The corners of a mesh; a corner that several triangles share is listed only once. Immutable. */
 final class CornerTable {
     private final double[] coordinates;
     private final int[] ofTriangles;

@@ -6,9 +6,9 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Segments with a common origin and nearly the same direction, which are traced together. Each is a lane of the
- * processor's vectors: its direction, scaled to length 1 along that axis along which all are longest, and its length
- * along that axis. For use by one thread.
+ * Segments with a common origin and nearly the same direction, which are traced together. Each takes one lane of the
+ * processor's vectors, with its direction, scaled to length 1 along the axis along which all of them are longest, and
+ * its length along that axis. For use by one thread.
  */
 final class FanBeam {
     /** Lanes of a vector. */

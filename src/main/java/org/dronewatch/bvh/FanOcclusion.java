@@ -7,13 +7,13 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Tests which segments of a {@link FanBeam} triangles hide. With a common origin, the edge functions of a triangle, and
- * its distance, are linear in the direction of a segment: so their coefficients are computed once, for eight triangles
- * at a time, relative to the middle of the beam. Triangles that are beside the beam or behind it are left out; for the
- * others the functions are evaluated for eight segments at a time.
+ * Tests which segments of a {@link FanBeam} are hidden by triangles. Since the segments have a common origin, the edge
+ * functions of a triangle, and its distance, are linear in the direction of a segment: their coefficients are therefore
+ * computed once, for eight triangles at a time, relative to the middle of the beam. Triangles that are beside the beam
+ * or behind it are left out; for the others, the functions are evaluated for eight segments at a time.
  *
- * <p>All this is in single precision, with bounded errors. So a segment is certainly hidden by a triangle, or certainly
- * not, or it is in doubt. For use by one thread.
+ * <p>All of this is in single precision, with bounded errors. A segment is therefore either certainly hidden by a
+ * triangle, or certainly not hidden, or in doubt. For use by one thread.
  */
 final class FanOcclusion {
     /** How many triangles are tested at a time. */
@@ -162,7 +162,9 @@ final class FanOcclusion {
 
     // In four parts, which pass vectors on in arrays: the compiler does not inline enough for one.
 
-    /** Finds out which triangles are beside the beam: all corners are beyond one of its sides. Whether all are. */
+    /**
+     * Finds out which triangles are beside the beam: all corners are beyond one of its sides; returns whether all are.
+     */
     private boolean findBeside() {
         FloatVector halfX = FloatVector.broadcast(FLOATS, (float) beam.halfAcross);
         FloatVector halfY = FloatVector.broadcast(FLOATS, (float) beam.halfAlong);
@@ -202,7 +204,7 @@ final class FanOcclusion {
         return areAllNegative(outside);
     }
 
-    /** Computes the edge functions, which have one sign inside, that of the volume; and their sum. */
+    /** Computes the edge functions, whose sign inside the triangle is that of the volume, and their sum. */
     private void findFunctions() {
         FloatVector ax = FloatVector.fromArray(FLOATS, shapes, 0);
         FloatVector ay = FloatVector.fromArray(FLOATS, shapes, TRIANGLES);
@@ -298,7 +300,7 @@ final class FanOcclusion {
                 .reinterpretAsInts();
     }
 
-    /** Finds out which triangles lie beyond the ends of all segments, and which before their beginnings. */
+    /** Finds out which triangles lie beyond the ends of all segments, and which lie before their beginnings. */
     private void findBeyond() {
         FloatVector signed = FloatVector.fromArray(FLOATS, volumes, 0);
         FloatVector volume = signed.abs();
@@ -344,7 +346,7 @@ final class FanOcclusion {
         error.sub(depth).intoArray(constants, 0);
     }
 
-    /** Finds out which segments a triangle hides; whether all segments of the beam are hidden after that. */
+    /** Finds out which segments a triangle hides; returns whether all segments of the beam are hidden after that. */
     private boolean evaluate(int triangle, float sign, float certain) {
         float[] f = functions;
         float error = errors[triangle];

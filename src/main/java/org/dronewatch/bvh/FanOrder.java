@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * Sorts segments with a common origin so that those of similar directions follow each other: directions, scaled to
- * length 1 along their longest axis, lie on one of the faces of a cube, whose square cells are read along Hilbert's
+ * length 1 along their longest axis, lie on one of the faces of a cube, whose square cells are visited along a Hilbert
  * curve. For use by one thread.
  */
 final class FanOrder {

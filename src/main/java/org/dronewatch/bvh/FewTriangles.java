@@ -5,9 +5,9 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
  * The triangles of a small mesh, such as an empty room, for {@link FewTrianglesTraversal}: blocks of four, so that one
- * vector takes a coordinate of each. All blocks are stored three times, once for each axis that the triangle test may
- * take as the ray's, with the coordinates in the order in which it takes them: x, y, z of the first, second and third
- * corners. Immutable, shared by all threads.
+ * vector holds the same coordinate of all four. All blocks are stored three times, once for each axis that the triangle
+ * test may choose as that of the ray, with the coordinates in the order in which the test then reads them: x, y, z of
+ * the first, second and third corners. Immutable, shared by all threads.
  */
 final class FewTriangles {
     /** Maximum number of triangles. */

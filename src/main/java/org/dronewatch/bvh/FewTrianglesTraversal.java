@@ -8,9 +8,9 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
 import org.dronewatch.kdtree.RayTracer;
 
 /**
- * Tests all of a few triangles, four at once, by the arithmetic of {@code TriangleIntersection}, and without a branch:
- * which wall of a room a ray hits cannot be predicted, and a wrong guess costs as much as testing another four. It hits
- * what the kd-tree hits; where triangles meet at the very point that a ray hits, it chooses among them as
+ * Tests every one of a few triangles, four at once, by the arithmetic of {@code TriangleIntersection}, and without a
+ * branch: which wall of a room a ray hits cannot be predicted, and a wrong guess costs as much as testing another four.
+ * It hits what the kd-tree hits; where triangles meet at the very point that a ray hits, it chooses among them as
  * {@link BvhTraversal} does.
  */
 final class FewTrianglesTraversal extends RayTracer {

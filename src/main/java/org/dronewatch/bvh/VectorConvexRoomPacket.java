@@ -6,7 +6,7 @@ import jdk.incubator.vector.VectorSpecies;
 import org.dronewatch.kdtree.LeafOrderTriangles;
 import org.dronewatch.kdtree.RayTracer;
 
-/** The walls of {@link ConvexRoomPacket} by vector instructions, one ray in each lane. */
+/** A {@link ConvexRoomPacket} that finds walls with vector instructions, one ray in each lane. */
 final class VectorConvexRoomPacket extends ConvexRoomPacket {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;
     private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_256;

@@ -9,8 +9,8 @@ import java.util.stream.Stream;
 import org.locationtech.proj4j.io.Proj4FileReader;
 
 /**
- * What PROJ4J must know about a system of the EPSG register: the lines of the register that comes with it, without what
- * it does not understand, and with what some of them lack.
+ * What PROJ4J must know about a system of the EPSG register: the lines of the register that comes with PROJ4J, without
+ * the parameters that it does not understand, and with those that some lines lack.
  */
 final class EpsgParameters {
     /** The horizontal parts of systems with a height that PROJ4J's register does not have, by EPSG code. */
@@ -21,8 +21,8 @@ final class EpsgParameters {
     private static final String SHIFT = "+towgs84=";
 
     /**
-     * The shift from S-JTSK to WGS 84 in the Czech Republic to a metre (EPSG 5239, here as a position vector). The
-     * register of PROJ4J has a shift along the axes alone, which is 10 m off.
+     * The shift from S-JTSK to WGS 84 in the Czech Republic, accurate to a metre (EPSG 5239, here as a position
+     * vector). The register of PROJ4J has a shift along the axes alone, which is 10 m off.
      */
     private static final String CZECH_SHIFT = SHIFT + "572.213,85.334,461.94,4.9732,1.529,5.2484,3.5378";
 

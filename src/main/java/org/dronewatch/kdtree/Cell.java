@@ -6,7 +6,8 @@ package org.dronewatch.kdtree;
  * @param content the triangles in it
  * @param voxel its box, as grid numbers
  * @param level how many splits lie above it
- * @param share how many of the mesh's triangles are due to it, if each counts once however many cells it is in
+ * @param share the number of the mesh's triangles that are attributed to this cell; each triangle counts once in all,
+ *     however many cells it is in
  */
 record Cell(NodeTriangles content, int[] voxel, int level, double share) {
 
@@ -31,7 +32,7 @@ record Cell(NodeTriangles content, int[] voxel, int level, double share) {
     /**
      * The two cells into which a cell is split.
      *
-     * @param split what parts them
+     * @param split the split that separates them
      * @param left the cell below the plane
      * @param right the cell above it
      * @param duplicates how many more references the two cells have together than the undivided cell had

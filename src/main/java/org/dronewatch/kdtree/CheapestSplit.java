@@ -2,13 +2,15 @@ package org.dronewatch.kdtree;
 
 import java.util.Optional;
 
-/** The cheapest of the planes that have been tried in a voxel, after {@link SahCost}. For use by one thread. */
+/**
+ * The cheapest of the planes that have been tried in a cell, by the costs of {@link SahCost}. For use by one thread.
+ */
 final class CheapestSplit {
     private final SahCost costs;
     private int[] voxel = new int[SahSplitFinder.BOX];
     private double area;
 
-    // The axis of the planes that come next: the voxel's ends on it, and its section and half of its perimeter across
+    // The axis of the planes that come next: the cell's ends on it, and its section and half of its perimeter across
     // it.
     private int axis;
     private double lowest;
@@ -26,10 +28,10 @@ final class CheapestSplit {
     }
 
     /**
-     * Begins a voxel, in which no plane has been tried yet.
+     * Begins a cell, in which no plane has been tried yet.
      *
      * @param voxel its box, as grid numbers
-     * @return whether it has a surface; without, planes have no cost
+     * @return whether it has a surface; without one, planes have no cost
      */
     boolean begin(int[] voxel) {
         this.voxel = voxel;
@@ -39,7 +41,7 @@ final class CheapestSplit {
         return area > 0.0;
     }
 
-    /** Sets across which axis the next planes lie. */
+    /** Sets the axis to which the next planes are perpendicular. */
     void setAxis(int axis) {
         int second = (axis + 1) % 3;
         int third = (axis + 2) % 3;
@@ -52,7 +54,7 @@ final class CheapestSplit {
         section = depth * height;
     }
 
-    /** The voxel's lower end on the axis. */
+    /** The cell's lower end on the axis. */
     double lowest() {
         return lowest;
     }
@@ -62,18 +64,18 @@ final class CheapestSplit {
         return highest;
     }
 
-    /** Surface of what lies below a plane over that of the voxel. */
+    /** Surface of what lies below a plane over that of the cell. */
     double leftShare(double plane) {
         return (section + (plane - lowest) * halfPerimeter) / area;
     }
 
-    /** Surface of what lies above a plane over that of the voxel. */
+    /** Surface of what lies above a plane over that of the cell. */
     double rightShare(double plane) {
         return (section + (highest - plane) * halfPerimeter) / area;
     }
 
     /**
-     * Tries a plane; one that is not strictly inside the voxel is left out. Of equally cheap planes, the one on the
+     * Tries a plane; one that is not strictly inside the cell is left out. Of equally cheap planes, the one on the
      * first axis is kept, and there the lowest.
      *
      * @param left how many triangles reach below it
@@ -103,7 +105,7 @@ final class CheapestSplit {
         return bestCost;
     }
 
-    /** The cheapest split, or empty when no plane inside the voxel has been tried. */
+    /** The cheapest split, or empty when no plane inside the cell has been tried. */
     Optional<Split> split() {
         return bestCost < Double.POSITIVE_INFINITY
                 ? Optional.of(new Split(bestAxis, bestKey, bestPlanarLeft, bestCost))

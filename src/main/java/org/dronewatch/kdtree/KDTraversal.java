@@ -1,6 +1,6 @@
 package org.dronewatch.kdtree;
 
-/** A ray tracer that walks the cells of a kd-tree: what its forms have in common. */
+/** What the ray tracers that walk the cells of a kd-tree have in common. */
 abstract class KDTraversal extends RayTracer {
     /**
      * How far, relatively, two cells of the tree may overlap along a ray: a few roundings of a plane's ray parameter. A

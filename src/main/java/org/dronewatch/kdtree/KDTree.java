@@ -22,11 +22,11 @@ public final class KDTree {
     /**
      * A finished tree; the builder's own arrays are handed over, not copied.
      *
-     * @param mesh what it indexes
-     * @param costs with which it was built
+     * @param mesh the mesh that the tree indexes
+     * @param costs costs with which the tree was built
      * @param nodes packed nodes, the root first
      * @param leafTriangles indices of triangles in leaf order, leaf by leaf
-     * @param triangles in leaf order
+     * @param triangles the triangles in leaf order
      * @param bounds the root's box, minimum on three axes, then maximum
      * @param depth the largest number of splits above a leaf
      */

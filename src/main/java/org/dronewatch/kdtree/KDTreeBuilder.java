@@ -10,8 +10,8 @@ import org.dronewatch.parallel.LongTask;
  *
  * <p>Two limits bound what degenerate input can do: on the depth ({@link #depthLimit}), and on the references to
  * triangles in the leaves ({@link #MAX_REFERENCES}), which {@link TreeGrower} divides among the parts of the tree.
- * Memory is thereby in proportion to the number of triangles, while the tree grows and when it is complete. Within the
- * limits they change nothing.
+ * Memory is thus proportional to the number of triangles, both while the tree grows and once it is complete. The limits
+ * do not change a tree that stays within them.
  */
 final class KDTreeBuilder {
     private static final int BOX = SahSplitFinder.BOX;
@@ -35,7 +35,7 @@ final class KDTreeBuilder {
     /**
      * A builder.
      *
-     * @param costs decide where a cell is split, and whether
+     * @param costs costs that decide whether a cell is split, and where
      * @param maxReferences maximum average number of references per triangle, at least 1
      */
     KDTreeBuilder(TriangleMesh mesh, SahCost costs, int maxReferences) {
@@ -45,7 +45,7 @@ final class KDTreeBuilder {
         this.duplicates = (maxReferences - 1L) * mesh.triangleCount();
     }
 
-    /** The depth at which splitting ends whatever it costs: bounds what degenerate input can do. */
+    /** The depth at which splitting ends, whatever the cost: this bounds what degenerate input can do. */
     static int depthLimit(int triangles) {
         return (int) (8.0 + 1.3 * Math.log(Math.max(1, triangles)) / Math.log(2.0));
     }

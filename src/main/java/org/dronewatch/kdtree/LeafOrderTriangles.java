@@ -3,9 +3,9 @@ package org.dronewatch.kdtree;
 import java.util.Arrays;
 
 /**
- * The triangles of a tree, in leaf order: the order in which they first occur in the leaves. So triangles that are
- * close together in space are close together in memory, whatever the order of faces in a model's file. Immutable,
- * shared by all threads.
+ * The triangles of a tree, in leaf order: the order in which they first occur in the leaves. Triangles that are close
+ * together in space are thus close together in memory, whatever the order of faces in a model's file. Immutable, shared
+ * by all threads.
  */
 public final class LeafOrderTriangles {
     private final float[] corners;

@@ -2,7 +2,7 @@ package org.dronewatch.kdtree;
 
 import java.util.Arrays;
 
-/** The triangles of a voxel with the boxes of their parts inside it, as grid numbers (see {@link KDNode}). */
+/** The triangles of a cell with the boxes of their parts inside it, as grid numbers (see {@link KDNode}). */
 final class NodeTriangles {
     private static final int BOX = SahSplitFinder.BOX;
 
@@ -16,7 +16,7 @@ final class NodeTriangles {
         this.boxes = new int[BOX * capacity];
     }
 
-    /** The triangles on one side of a split; those that cross it are clipped to the part's voxel. */
+    /** The triangles on one side of a split; those that cross it are clipped to the part's cell. */
     NodeTriangles part(Split split, boolean left, int[] voxel, TriangleClipper clipper) {
         int expected = 0;
         for (int i = 0; i < count; i++) {

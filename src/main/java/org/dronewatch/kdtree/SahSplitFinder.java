@@ -4,17 +4,17 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * Finds the cheapest plane to split a voxel, by sweeping a plane along each axis. The cost changes only at planes at
+ * Finds the cheapest plane to split a cell, by sweeping a plane along each axis. The cost changes only at planes at
  * which a triangle starts or ends, or in which a triangle lies: these events are sorted, and their planes are tried.
- * Instead of a face of the voxel in which triangles lie, the plane next to it is tried.
+ * Instead of a face of the cell in which triangles lie, the plane next to it is tried.
  *
  * <p>Where there are many triangles, they are first counted in equal slices of each axis. The counts bound the cost of
  * any plane in a slice from below, so that only slices which may hold the cheapest plane are sorted and swept: the
- * answer is that of the full sweep. The benchmark {@code TreeBuild} shows what that buys.
+ * result is the same as that of the full sweep. The benchmark {@code TreeBuild} shows how much this gains.
  *
- * <p>Boxes and voxels are given as grid numbers (see {@link KDNode}), triangles rounded outwards. On the grid the sweep
- * is exact: what it counts on each side is what {@link Split} will put there. A triangle that lies in a plane between
- * two grid values is a thin box here, and both of its sides are tried. For use by one thread.
+ * <p>Boxes and cells are given as grid numbers (see {@link KDNode}), the boxes of triangles rounded outwards. On the
+ * grid, the sweep is exact: what it counts on each side is what {@link Split} will put there. A triangle that lies in a
+ * plane between two grid values is a thin box here, and both of its sides are tried. For use by one thread.
  */
 final class SahSplitFinder {
     /** How many numbers a box has: minimum on three axes, then maximum. */
@@ -43,12 +43,12 @@ final class SahSplitFinder {
     }
 
     /**
-     * The cheapest split of a voxel. Of equally cheap ones the one on the first axis, there the lowest.
+     * The cheapest split of a cell; of equally cheap ones, the one on the first axis, and on that axis the lowest.
      *
-     * @param boxes the triangles' boxes clipped to the voxel, {@link #BOX} numbers each
+     * @param boxes the triangles' boxes clipped to the cell, {@link #BOX} numbers each
      * @param count how many triangles there are
-     * @param voxel the voxel's box
-     * @return the cheapest split, or empty when none of these planes lies inside the voxel or the voxel has no surface
+     * @param voxel the cell's box
+     * @return the cheapest split, or empty when none of these planes lies inside the cell or the cell has no surface
      */
     Optional<Split> find(int[] boxes, int count, int[] voxel) {
         if (!cheapest.begin(voxel)) {
@@ -117,9 +117,9 @@ final class SahSplitFinder {
     }
 
     /**
-     * Tries to cut off triangles that lie in a face of the voxel, one step of the grid inside it: floors and walls
-     * would otherwise share the air in front of them, and rays through the air would test them all. The slice of one
-     * step has no plane inside, so it is not cut so again.
+     * Tries to cut off triangles that lie in a face of the cell, one step of the grid inside it: floors and walls would
+     * otherwise share the air in front of them, and rays through the air would test them all. The slice of one step has
+     * no plane inside, so it is not cut in this way again.
      */
     private void tryBesideFaces(int[] boxes, int count, int axis, int[] voxel) {
         boolean inLowFace = false;
@@ -180,7 +180,7 @@ final class SahSplitFinder {
         }
     }
 
-    /** How many triangles start and end in equal slices of a voxel along one axis. */
+    /** How many triangles start and end in equal slices of a cell along one axis. */
     private final class AxisSlices {
         private final int[] starts = new int[SLICES];
         private final int[] ends = new int[SLICES];

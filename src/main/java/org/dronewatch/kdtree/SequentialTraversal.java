@@ -108,7 +108,9 @@ public final class SequentialTraversal extends KDTraversal {
         return turn == NONE ? NONE : firstLeaf(turn, turnEntry, turnExit);
     }
 
-    /** Where the ray meets a node's plane; not a number if it runs inside: then it is in both children all the time. */
+    /**
+     * Where the ray meets a node's plane; NaN if it runs inside the plane: it is then in both children all the time.
+     */
     private double parameter(long node) {
         int axis = KDNode.kind(node);
         return (KDNode.split(node) - origin[axis]) * inverse[axis];

@@ -1,12 +1,12 @@
 package org.dronewatch.kdtree;
 
 /**
- * A plane that cuts a voxel in two.
+ * A plane that cuts a cell in two.
  *
  * @param axis 0, 1 or 2
- * @param key the plane's number on the grid of {@link KDNode}, strictly inside the voxel
+ * @param key the plane's number on the grid of {@link KDNode}, strictly inside the cell
  * @param planarLeft whether triangles that lie in the plane go to the left part
- * @param cost expected cost of the split, after {@link SahCost}
+ * @param cost expected cost of the split, by {@link SahCost}
  */
 record Split(int axis, int key, boolean planarLeft, double cost) {
 

@@ -2,7 +2,10 @@ package org.dronewatch.kdtree;
 
 import java.util.Arrays;
 
-/** Nodes and leaf lists of a part of a tree while it grows; links and entries count from the part's own beginning. */
+/**
+ * Nodes and leaf lists of a part of a tree while it grows; links and entries are counted from the beginning of the
+ * part.
+ */
 final class Subtree {
     private static final int FIRST_SIZE = 64;
 

@@ -7,8 +7,8 @@ import org.dronewatch.parallel.LongTask;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Grows parts of a tree. A split duplicates the references to the triangles that cross its plane; a bundle of long
- * thin triangles oblique to the axes could thus exhaust memory of any size. Each part therefore has a limit on its
+ * Grows parts of a tree. A split duplicates the references to the triangles that cross its plane; a bundle of long thin
+ * triangles oblique to the axes could thus exhaust memory of any size. Each part therefore has a limit on its
  * duplicates:
  *
  * <ul>
@@ -18,8 +18,9 @@ import org.dronewatch.parallel.Workers;
  *       is not covered becomes a leaf.
  * </ul>
  *
- * <p>Whether a part stays within its limit is found by growing it until it does not. So that this costs at most the
- * same at each level of the tree, it is tried again only where a quarter of the references is left.
+ * <p>Whether a part stays within its limit is found out by growing it until it is complete or exceeds the limit. If it
+ * exceeds the limit, the same is tried again only with parts that have at most a quarter of its references, so that
+ * this costs at most the same at each level of the tree.
  *
  * <p>All of this depends on the part alone, not on which thread comes first: the tree is the same for any number of
  * them. For use by one thread.
@@ -42,7 +43,7 @@ final class TreeGrower {
      * A grower.
      *
      * @param corners nine coordinates a triangle
-     * @param costs decide where a cell is split, and whether
+     * @param costs costs that decide whether a cell is split, and where
      * @param depthLimit the level on which all cells are leaves
      * @param task advances with each triangle of a leaf
      */

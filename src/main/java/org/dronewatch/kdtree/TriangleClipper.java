@@ -1,8 +1,8 @@
 package org.dronewatch.kdtree;
 
 /**
- * The box of the part of a triangle inside a voxel ("perfect splits"): a triangle that crosses a voxel's corner often
- * fills a small part of it only, and splits at the bounds of that part are better. Clips by Sutherland and Hodgman
+ * The box of the part of a triangle inside a cell ("perfect splits"): a triangle that crosses a cell's corner often
+ * fills only a small part of it, and splits at the bounds of that part are better. Clips by Sutherland and Hodgman
  * (1974) in double precision and rounds outwards. For use by one thread.
  */
 final class TriangleClipper {
@@ -19,13 +19,13 @@ final class TriangleClipper {
     }
 
     /**
-     * Writes the box of a triangle inside a voxel.
+     * Writes the box of a triangle inside a cell.
      *
      * @param triangle number of the triangle
-     * @param voxel the voxel's box as grid numbers
+     * @param voxel the cell's box as grid numbers
      * @param boxes where to write the six grid numbers
      * @param slot index of the first of them
-     * @return false when the triangle does not reach into the voxel; nothing is written then
+     * @return false when the triangle does not reach into the cell; nothing is written then
      */
     boolean clip(int triangle, int[] voxel, int[] boxes, int slot) {
         for (int i = 0; i < 9; i++) {

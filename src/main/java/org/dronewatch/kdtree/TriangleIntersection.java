@@ -4,9 +4,9 @@ package org.dronewatch.kdtree;
  * The ray-triangle test of the tracers, after Woop, Benthin and Wald, "Watertight ray/triangle intersection" (JCGT
  * 2013), in double precision. The ray is sheared onto its largest axis; then the three edge functions are
  * two-dimensional and an edge shared by two triangles gets the same value in both but for its sign. A difference of two
- * rounded products never has the wrong sign, at worst it is zero, and zero counts as inside: no ray slips through an
- * edge or a corner. Zeros alone would also let a triangle seen edge-on be hit by rays that miss it, in the plane of the
- * triangle: those are {@linkplain #isBeside rejected}.
+ * rounded products never has the wrong sign: at worst it is zero, and zero counts as inside, so that no ray slips
+ * through an edge or a corner. By this rule alone, a triangle seen edge-on would also be hit by rays in its plane that
+ * miss it: these hits are {@linkplain #isBeside rejected}.
  *
  * <p>Holds one ray and its best hit so far; one per thread.
  */

@@ -7,9 +7,9 @@ import org.dronewatch.geometry.Position;
 /**
  * A positioner's search along a line on which a contact is: as the positioner sees them, the points of the line lie on
  * an arc, and their direction is at the angle {@code atan2(h, r - a)} from that of the line, with the distance h of the
- * positioner from the line, the range r of the point and the range a at which the line is nearest to the positioner. It
- * stops where that arc leaves the field of view of the stop before, from near to far, and begins again at the end. For
- * one run, and for use by one thread.
+ * positioner from the line, the range r of the point and the range a at which the line is nearest to the positioner.
+ * Its stops run from near to far, each where that arc leaves the field of view of the one before; after the last stop,
+ * the search begins again. For one run, and for use by one thread.
  */
 final class RangeScan {
     /** Fraction of a field of view between two stops. */

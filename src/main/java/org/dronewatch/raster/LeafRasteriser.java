@@ -3,8 +3,8 @@ package org.dronewatch.raster;
 import java.util.Arrays;
 
 /**
- * Rasterises the triangles of leaves into a tile, each of them only once unless it has been forgotten. For use by one
- * thread.
+ * Rasterises the triangles of leaves into a tile, each of them only once, unless it has been forgotten in the meantime.
+ * For use by one thread.
  */
 final class LeafRasteriser {
     /** How many triangles are remembered as rasterised, a power of two. */
@@ -35,7 +35,7 @@ final class LeafRasteriser {
         this.setup = setup;
     }
 
-    /** Begins a tile, after its pixels have. */
+    /** Begins a tile, after {@link TileBuffer#begin}. */
     void begin() {
         setup.begin();
         met = 0;

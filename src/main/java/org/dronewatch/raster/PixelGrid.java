@@ -2,8 +2,8 @@ package org.dronewatch.raster;
 
 /**
  * The rays of an image: one origin, and directions on a regular grid. The ray of the pixel in a column and a row has
- * the direction corner + column * right + row * down. In the frame whose axes are right, down and corner that is
- * (column, row, 1). For use by one thread.
+ * the direction corner + column * right + row * down. In the frame whose axes are right, down and corner, this
+ * direction is (column, row, 1). For use by one thread.
  */
 final class PixelGrid {
     final double[] origin = new double[3];

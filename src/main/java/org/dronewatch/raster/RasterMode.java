@@ -4,9 +4,9 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
 
 /**
  * How tiles are rasterised, depending on the number of a model's triangles. With and without vectors the pixels are the
- * same, bit for bit. Between few and many they differ only where a tile is given up and traced by single rays, which
- * round differently in the last bits (many meet more triangles), and where triangles are seen edge-on, whose distances
- * are rounding errors.
+ * same, bit for bit. Between {@link #FEW} and {@link #MANY} they differ only where a tile is given up and traced by
+ * single rays, which round differently in the last bits (those of {@code MANY} meet more triangles), and where
+ * triangles are seen edge-on, whose distances are rounding errors.
  */
 enum RasterMode {
     /** Leaf by leaf, triangle by triangle. */
@@ -16,9 +16,9 @@ enum RasterMode {
      */
     MANY(79),
     /**
-     * Like MANY, with triangles and pixels four at a time with vector instructions. The leaves have to be the same as
-     * without vectors, since threads change over at different times: more leaves at a time would give different
-     * rounding errors for triangles seen edge-on.
+     * Like {@link #MANY}, but with vector instructions, which take triangles and pixels four at a time. The leaves have
+     * to be the same as without vectors, since threads switch to vectors at different times: more leaves at a time
+     * would give different rounding errors for triangles seen edge-on.
      */
     MANY_BY_VECTORS(MANY.nodesAtOnce) {
         @Override

@@ -2,10 +2,10 @@ package org.dronewatch.raster;
 
 /**
  * Rasterises triangles into a tile line by line, from their functions: the inverse of the ray parameter on the
- * triangle's plane, and three edge functions that are zero or more inside. Each is linear in column and row: its value
- * at the tile's corner, what a column adds, what a row adds. A line of pixels is then an interval between the edges.
- * Lines run along the longer side of the rectangle that holds the triangle, along rows or along columns: so there are
- * few of them.
+ * triangle's plane, and three edge functions that are zero or more inside. Each is linear in column and row, and is
+ * given by its value at the tile's corner and by what a column and a row add to it. A line of pixels is then an
+ * interval between the edges. Lines run along the longer side of the rectangle that holds the triangle, along rows or
+ * along columns, so that there are few of them.
  */
 class ScanlineRasteriser {
     /** How near to a pixel's centre, in pixels, an edge must pass to be tested again. */

@@ -27,7 +27,7 @@ final class TileBuffer {
     final double[] triangles;
 
     /**
-     * A lower bound of the inverse ray parameters of each block of pixels: that of its farthest pixel when it was last
+     * A lower bound on the inverse ray parameters of each block of pixels: that of its farthest pixel when it was last
      * computed. Pixels only come nearer, so it stays a bound.
      */
     private final double[] leastOfBlock;

@@ -1,14 +1,14 @@
 package org.dronewatch.raster;
 
 /**
- * Decides in which boxes a tile can still see something. Where the ground is seen from the side, ten and more triangles
+ * Decides in which boxes a tile can still see something. Where the ground is seen from the side, ten or more triangles
  * lie behind each pixel, and most cells of the tree behind the first hills are hidden, or lie between the pixels'
  * centres: their triangles are culled. For use by one thread.
  */
 final class TileCuller {
     /** How far a box's projection onto the tile is widened, in pixels: more than the rasteriser widens edges. */
     private static final double MARGIN = 1e-5;
-    /** An upper bound of the relative rounding errors of a box's position and reach. */
+    /** An upper bound on the relative rounding errors of a box's position and reach. */
     private static final double ROUNDING = 1e-14;
 
     private final PixelGrid grid;

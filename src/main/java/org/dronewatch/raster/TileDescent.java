@@ -192,8 +192,8 @@ final class TileDescent {
     }
 
     /**
-     * Whether the tile may see something in a cell on the stack; what is rasterised as a whole is asked when its turn
-     * comes.
+     * Whether the tile may see something in a cell on the stack; subtrees that are rasterised as a whole are tested
+     * when their turn comes.
      */
     private boolean isWorthwhile(int stacked) {
         if (stackEntry[stacked] > farthest) {

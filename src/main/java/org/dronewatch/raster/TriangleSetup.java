@@ -6,13 +6,13 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
  * Sets triangles up for the rasteriser: projects their corners onto the tile, culls those without a pixel, and computes
  * their edge functions and the inverse of the ray parameter. For use by one thread.
  *
- * <p>In the frame of the {@link PixelGrid} the ray of pixel (x, y) has the direction (x, y, 1). The three edge
+ * <p>In the frame of the {@link PixelGrid}, the ray of pixel (x, y) has the direction (x, y, 1). The three edge
  * functions of a triangle, whose signs separate inside from outside, and the inverse of the ray parameter are linear in
- * x and y there. Each line of pixels is then an interval between the edges. A common edge of two triangles has opposite
- * functions in them, and zero counts as inside: no pixel slips through an edge. That also holds where one is rasterised
- * by rows and the other by columns: the two orders of adding round differently, but never across zero. Where corners
- * lie some 1e-5 of a pixel from each other, and from a pixel's centre, the rounding errors of different edges may leave
- * it to none of them.
+ * x and y there. Each line of pixels is then an interval between the edges. An edge that two triangles share has
+ * opposite functions in them, and zero counts as inside: no pixel slips through an edge. This also holds where one
+ * triangle is rasterised by rows and the other by columns: the two orders of adding round differently, but never across
+ * zero. Where corners lie some 1e-5 of a pixel from each other, and from a pixel's centre, rounding errors of different
+ * edges may mean that this pixel belongs to none of the triangles.
  */
 class TriangleSetup {
     /** Relative size of the rounding errors of the volume between the origin and a triangle. */
@@ -43,7 +43,7 @@ class TriangleSetup {
         this.lines = lines;
     }
 
-    /** Begins a tile, after its pixels have. */
+    /** Begins a tile, after {@link TileBuffer#begin}. */
     void begin() {
         unable = false;
     }

@@ -7,8 +7,8 @@ import org.dronewatch.kdtree.LeafOrderTriangles;
 /**
  * Sets triangles up as {@link TriangleSetup} does, but four at a time, with vector instructions. Those without a
  * pixel's centre in the rectangle around them, up to half of them where triangles are small, are culled without a
- * branch. Each sum is made in the order in which {@link TriangleSetup} makes it, so that the pixels are the same, bit
- * for bit. What it gains: see {@link VectorRasteriser}.
+ * branch. Each sum is added up in the same order as in {@link TriangleSetup}, so that the pixels are the same, bit for
+ * bit. For the benefit, see {@link VectorRasteriser}.
  */
 final class VectorTriangleSetup extends TriangleSetup {
     private static final VectorSpecies<Double> DOUBLES = DoubleVector.SPECIES_256;

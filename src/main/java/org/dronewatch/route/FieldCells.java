@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 /**
  * Where points lie between the centres of the cells of a detection field, in coordinates of the field: a point at the
  * centre of a cell has the numbers of its column, row and height. The ground is interpolated between the centres of the
- * columns, and where there is none, it has its mean height. Points outside count as those at the edge. Immutable and
+ * columns; columns without ground are given its mean height. Points outside count as those at the edge. Immutable and
  * thread-safe.
  */
 final class FieldCells {

@@ -109,12 +109,12 @@ public record RouteSurvey(
      * The order from the weakest route to the strongest: first the one with the least probability of an alert in time,
      * where it is known; in a tie, or if it is not known, the one with the least probability of a timely detection,
      * then of any detection along the whole route, then the least exposure that counts in the search, then the shortest
-     * time, then the first sector clockwise from north. Figures that look the same in the tables tie: probabilities
-     * to a tenth of a percentage point below 10 %, and to a whole one from there on; exposures to a thousandth below 1,
+     * time, then the first sector clockwise from north. Figures that look the same in the tables tie: probabilities to
+     * a tenth of a percentage point below 10 %, and to a whole one from there on; exposures to a thousandth below 1,
      * and to a hundredth from there on; times to a tenth of a second below 100 s, and to a second from there on.
      * Probabilities below 0.1 % and exposures below 0.001 tie with 0. Without these ties, a route on which the drone is
-     * surely detected, if only slightly too late, might count as weaker than one on which it is hardly ever detected at
-     * all.
+     * certain to be detected, if only slightly too late, might count as weaker than one on which it is hardly ever
+     * detected at all.
      */
     public Comparator<SectorRoute> weakestFirst() {
         return Comparator.comparingDouble(

@@ -10,9 +10,10 @@ import org.dronewatch.sensor.CrossingBlind;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The speeds at which a drone flies in order to pass sensors that reject some radial speeds: a little below the
- * greatest one at which at least 20 dB of its signal are rejected on every heading, and in the middle of the fastest
- * band that is rejected above it, in which a drone stays while it flies straight towards the sensor or away from it.
+ * The speeds at which a drone flies in order to pass sensors that reject some radial speeds: one a little below the
+ * greatest speed at which at least 20 dB of its signal are rejected on every heading, and one in the middle of the
+ * fastest rejected band above that speed, in which the drone stays while it flies straight towards the sensor or away
+ * from it.
  */
 final class SlowFlight {
     /** The greatest fraction of the signal that passes: -20 dB shorten the range of a radar to 32 %. */

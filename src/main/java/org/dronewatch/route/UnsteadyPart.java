@@ -4,9 +4,9 @@ import org.dronewatch.route.exposure.LegMotion;
 
 /**
  * The contribution of a sensor that rejects low radial speeds to the exposure on a part of a leg that lies between the
- * centres of the same cells: that from the cells whose rate depends on the position. The places at which the drone
- * becomes visible or is lost are found exactly, so that no leg gains by ending a little beyond them, and the mean of a
- * leg is that of its pieces. For a single use; not thread-safe.
+ * centres of the same cells: of this contribution, only the part due to those cells whose rate depends on the position.
+ * The places at which the drone becomes visible or is lost are found exactly, so that no leg gains by ending a little
+ * beyond them, and the mean of a leg is that of its pieces. For a single use; not thread-safe.
  */
 final class UnsteadyPart {
     /** Shorter pieces than this fraction of the longest are not divided. */

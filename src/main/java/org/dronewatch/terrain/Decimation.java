@@ -7,13 +7,13 @@ import org.dronewatch.parallel.LongTask;
 import org.dronewatch.setting.InputException;
 
 /**
- * Triangles for posts, as few as keep every post within a vertical error: greedy insertion (Garland and Heckbert, Fast
- * polygonal approximation of terrains and height fields, CMU-CS-95-181, algorithm III). It begins with two triangles;
- * the post that is furthest from its triangle becomes a corner, until none is further than allowed. Posts at the rims
- * of holes always stay, so that no triangle reaches into a hole.
+ * Covers posts with as few triangles as keep every post within a given vertical error, by greedy insertion (Garland and
+ * Heckbert, Fast polygonal approximation of terrains and height fields, CMU-CS-95-181, algorithm III). It begins with
+ * two triangles; the post that is furthest from its triangle becomes a corner, until none is further than allowed.
+ * Posts at the rims of holes always stay, so that no triangle reaches into a hole.
  *
- * <p>Triangles are chosen by columns and rows, on a flat map. In the world frame, where maps bend, they are measured
- * again, and the few posts are added that are too far off there.
+ * <p>Triangles are chosen by columns and rows, on a flat map. In the world frame, in which maps are curved, the errors
+ * are measured again, and the few posts that are too far off there are added.
  */
 final class Decimation {
     /**

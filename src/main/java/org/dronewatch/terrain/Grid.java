@@ -5,7 +5,7 @@ import org.dronewatch.terrain.io.Lattice;
 
 /**
  * Posts with the heights that their files state. Rows go south and columns east, so that squares are cut along their
- * north-west diagonal whichever way a file has them.
+ * north-west diagonal in whatever order a file has them.
  */
 record Grid(Lattice lattice, int columns, int rows, float[] heights) {
 

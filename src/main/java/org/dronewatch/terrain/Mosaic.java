@@ -19,8 +19,8 @@ import org.dronewatch.terrain.io.Lattice;
 import org.dronewatch.terrain.io.Window;
 
 /**
- * Files that have one grid of posts, and how much of it is near the origin. Between files whose outermost posts are a
- * step apart there is no gap; where a file is missing there is a hole.
+ * Files that have one grid of posts in common, and the part of this grid that is near the origin. There is no gap
+ * between files whose outermost posts are one step apart; where a file is missing, there is a hole.
  */
 final class Mosaic {
     /** Posts that are read: at four bytes each they fill 100 MB. */

@@ -1,6 +1,6 @@
 package org.dronewatch.terrain;
 
-/** Heights on a plane: that at a point, and how they change along x and y. */
+/** The heights of a plane, given by a point on it and by how much the plane rises along x and y. */
 record Plane(double x, double y, double z, double byX, double byY) {
     /**
      * The plane through three points.

@@ -5,10 +5,10 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.terrain.io.Lattice;
 
 /**
- * Where posts are in the world frame. A map bends so little over a site that a polynomial through a few of its points,
- * which are transformed one by one, gives all others: with {@value #NODES} nodes a side (Chebyshev's, so that nothing
- * oscillates) the difference is below a micrometre for a hundred kilometres. A height is added along the vertical of
- * the post.
+ * Where posts are in the world frame. A map is curved so little over a site that a polynomial through a few of its
+ * points, which are transformed one by one, gives all others: with {@value #NODES} nodes a side (Chebyshev nodes, so
+ * that the polynomial does not oscillate), the difference is below a micrometre over a hundred kilometres. A height is
+ * added along the vertical of the post.
  *
  * <p>Immutable; a {@link Row} is for one thread.
  */

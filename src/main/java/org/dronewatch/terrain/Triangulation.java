@@ -5,10 +5,10 @@ import java.util.Arrays;
 /**
  * A Delaunay triangulation of posts of a grid, to which posts are added one at a time (Lawson, Software for C1 surface
  * interpolation, 1977). Column and row are whole numbers, so that every decision is exact. Four posts of one square are
- * joined along its north-west diagonal; other posts on one circle keep the edge that they have.
+ * joined along its north-west diagonal; four other posts on one circle keep the diagonal that they have.
  *
- * <p>Corners of a triangle run from east to south as columns and rows do: clockwise on a map whose rows go south. Not
- * thread-safe.
+ * <p>The corners of a triangle run in the sense from east, the direction of columns, to south, that of rows: clockwise
+ * on a map whose rows go south. Not thread-safe.
  */
 final class Triangulation {
     /** The sums of the circle's test stay within 63 bits up to here. */

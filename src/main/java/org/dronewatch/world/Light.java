@@ -15,13 +15,13 @@ import org.dronewatch.setting.SettingsForm;
  *
  * @param visibility visibility, above 0 and at most 1,000,000 m
  * @param contrastAtVisibility fraction of a black object's contrast that remains at a distance equal to
- *     {@code visibility}, 0.01 to 0.1: 0.05 for the meteorological optical range that weather stations report, 0.02
- *     for Koschmieder's visual range
+ *     {@code visibility}, 0.01 to 0.1: 0.05 for the meteorological optical range that weather stations report, 0.02 for
+ *     Koschmieder's visual range
  * @param illuminance illuminance of the ground, 1e-5 to 200,000 lx: about 50,000 in sunshine, 5,000 under cloud, 5 at
  *     dusk, 0.2 under a full moon, 0.001 in starlight
  * @param sun position of the sun; omit it if the sun does not shine
  * @param cn2 refractive-index structure constant Cn2 of the air, assumed equal everywhere, 0 to 1e-10 m^(-2/3): 5e-15
- *     by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 and more over hot
+ *     by day and 1e-15 at night are typical 50 m above the ground, 2e-14 and 8e-15 near it, 1e-13 or more over hot
  *     ground; 0 without turbulence
  * @param skyToGroundRatio ratio of the luminance of the sky at the horizon to that of the ground, 0.05 to 100: about
  *     1.4 for grass and 5 for dark forest under a clear sky, 4 and 15 under clouds, and 1 where the two are equal

@@ -10,7 +10,7 @@ import org.dronewatch.terrain.TerrainSettings;
 /**
  * One of the models that a world was merged from.
  *
- * @param file its file, without the prefix of packaged models; empty for a world made from a finished k-d tree instead
+ * @param file its file, without the prefix of packaged models; empty for a world made from a finished kd-tree instead
  *     of files
  * @param role its role on the site
  */

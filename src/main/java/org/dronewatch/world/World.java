@@ -34,8 +34,8 @@ import org.dronewatch.terrain.KnownGround;
 import org.jogamp.vecmath.Point3d;
 
 /**
- * The site: everything stationary, as one mesh with one k-d tree over it, and the background noise. World frame:
- * metres, right-handed, x east, y north, z up. Immutable, shared by all threads.
+ * The site: everything stationary, as one mesh with one kd-tree over it, and the background noise. World frame: metres,
+ * right-handed, x east, y north, z up. Immutable, shared by all threads.
  */
 public final class World {
     private final TracingIndex index;
@@ -212,7 +212,8 @@ public final class World {
     }
 
     /**
-     * This world with the land cover of a map on its ground, which is the first of the models that it was merged from.
+     * This world with the land cover of a map on its ground. The ground is the first of the models that this world was
+     * merged from.
      *
      * @param raster the land cover
      * @param settings acoustic surfaces of the land cover's materials
@@ -348,9 +349,10 @@ public final class World {
     }
 
     /**
-     * Whether a point appears to be inside a wall or below the ground: of the rays from it that hit a surface, most,
-     * and at least four, hit one that faces away from it. A point on a surface, such as a microphone on a wall, counts
-     * as in front of it. Valid for meshes whose triangles are wound counter-clockwise seen from outside, as is usual.
+     * Whether a point appears to be inside a wall or below the ground: most of the rays from the point that hit a
+     * surface, and at least four of them, hit one that faces away from the point. A point on a surface, such as a
+     * microphone on a wall, counts as in front of it. Valid for meshes whose triangles are wound counter-clockwise seen
+     * from outside, as is usual.
      */
     public boolean isInsideWall(Position position) {
         return new Surroundings(this).showTheirBacks(new Clearance(this).of(position));

@@ -48,7 +48,7 @@ class CathedralModelTest {
         }
     }
 
-    /** How far the room surely reaches to each side of its middle: the apse, the aisles, or the nave above them. */
+    /** How far the room certainly reaches to each side of its middle: the apse, the aisles, or the nave above them. */
     private static double halfWidth(double x, double z) {
         double beyond = x - CathedralModel.HALF_LENGTH_METRES;
         if (beyond > 0) {

@@ -94,8 +94,8 @@ class SiteRoutesTest {
     }
 
     /**
-     * On all other routes, the radar surely detects the drone, but too late; on that from the south-west, it hardly
-     * ever detects it, but if so, in time.
+     * On all other routes, the radar is certain to detect the drone, but too late; on that from the south-west, it
+     * hardly ever detects it, but if so, in time.
      */
     @Test
     void aRouteOnWhichTheDroneIsSurelyDetectedTooLateIsNotTheWeakest() {

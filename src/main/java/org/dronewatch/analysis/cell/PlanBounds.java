@@ -6,8 +6,8 @@ import org.dronewatch.world.GroundPoint;
 /**
  * The smallest square, aligned with the axes, around points in plan view.
  *
- * @param east of its centre, m
- * @param north of its centre, m
+ * @param east east coordinate of its centre, m
+ * @param north north coordinate of its centre, m
  * @param side length of its side, m
  */
 record PlanBounds(double east, double north, double side) {

@@ -25,7 +25,7 @@ import org.dronewatch.setting.Spelling;
 
 /**
  * The sensors of a field, in the order of the scene, with their assessments in all cells, and the courses that count.
- * Immutable but for the assessments of heights that are still missing.
+ * Immutable, except that the assessments of heights that are still missing are added.
  */
 final class FieldSensors {
     private final List<Course> courses;
@@ -162,7 +162,7 @@ final class FieldSensors {
         return probes.get(names.get(sensor));
     }
 
-    /** Looks at a drone on one of the courses again, given by its number. */
+    /** Looks again at a drone on one of the courses, given by its number. */
     CellLook look(int sensor, FieldColumns columns, int height, int column, int row, int course) {
         FieldProbe probe = probe(sensor);
         Position at = columns.middle(height, column, row);

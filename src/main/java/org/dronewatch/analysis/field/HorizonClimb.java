@@ -48,12 +48,13 @@ final class HorizonClimb {
     /**
      * The least height from which a point is visible, found from below.
      *
-     * @param point m
+     * @param point the point, m
      * @param x of the vertical line, m
      * @param y of the vertical line, m
      * @param bottom where the search begins, m
      * @param top where it ends, m
-     * @return from bottom to top, too high by at most 0.1 mm; NaN if the point is not visible from up to there
+     * @return from bottom to top, too high by at most 0.1 mm; NaN if the point is not visible from any height up to
+     *     there
      */
     double lowest(Position point, double x, double y, double bottom, double top) {
         double dx = x - point.x();

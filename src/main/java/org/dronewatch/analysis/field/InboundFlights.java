@@ -16,8 +16,8 @@ import org.dronewatch.world.GroundPoint;
 /**
  * The plan of straight flights to a target from all bearings: a row for each bearing, a column for each step inward.
  *
- * @param target towards which they lead, m
- * @param reach horizontal distance from it at which they begin, m
+ * @param target point to which the flights lead, m
+ * @param reach horizontal distance from that point at which they begin, m
  * @param step length of a step, m
  * @param heights above the ground, m
  */

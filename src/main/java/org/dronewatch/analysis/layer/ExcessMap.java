@@ -44,11 +44,11 @@ public final class ExcessMap {
      * Values between the nearest traced positions.
      *
      * @param rest what arrives along paths other than the exact ones, dB
-     * @param leastRest the least of those of the neighbours, dB
-     * @param greatestRest the greatest of them, dB
+     * @param leastRest the least of the neighbours' values of {@code rest}, dB
+     * @param greatestRest the greatest of these values, dB
      * @param overOpen excess over the signal in the open, dB
-     * @param least the least of those of the neighbours, dB
-     * @param greatest the greatest of them, dB
+     * @param least the least of the neighbours' values of {@code overOpen}, dB
+     * @param greatest the greatest of these values, dB
      */
     record Estimate(
             double rest, double leastRest, double greatestRest, double overOpen, double least, double greatest) {

@@ -12,8 +12,8 @@ import org.dronewatch.sensor.Signal;
 /**
  * Assesses cells by interpolation. Where the signal in the open and the excesses of the neighbours leave no doubt, and
  * no shadow boundary is near, they decide; elsewhere the exact paths are found, and only what comes along other paths
- * is interpolated. The probability is 0 or 1 where the margin exceeds any error that is possible, otherwise that with
- * which a normally distributed error leaves the margin positive.
+ * is interpolated. The probability is 0 or 1 where the margin exceeds any error that is possible, otherwise the
+ * probability that a normally distributed error leaves the margin positive.
  */
 record InterpolatedCells(FieldProbe probe, ExcessMap excess, Assessor assessor) {
 

@@ -40,7 +40,7 @@ public record InterpolationError(
      * How far errors reach.
      *
      * @param scale factor between the spread of neighbours and the standard deviation of what is interpolated between
-     *     them: that of the errors measured (root mean square)
+     *     them, determined from the measured errors (root mean square)
      * @param reach the same factor for the greatest error that counts as possible: {@value InterpolationError#MARGIN}
      *     times the greatest factor measured, also at the traced positions, each of them interpolated from the others
      * @param beyond how far excesses over the open may lie beyond those of all neighbours, dB; measured in the same way

@@ -5,7 +5,7 @@ import org.dronewatch.analysis.cell.CellCode;
 /**
  * The assessments of one sensor at one height of all columns, and where exactly these were made.
  *
- * @param columns cells in a row
+ * @param columns number of cells in a row
  * @param z heights at which the drone was assessed, row by row, m; NaN in cells in which it cannot be
  * @param entries by row and column, as in {@link SensorLayer}
  * @param byCourse by row, as in {@link SensorLayer}

@@ -7,7 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronewatch.setting.SettingsForm;
 
-/** Finds out whether settings are of this program's own kinds, whose code is part of what names a kept result. */
+/**
+ * Finds out whether settings are of this program's own kinds, whose code is part of the key under which results are
+ * kept.
+ */
 final class OwnCode {
     private static final CodeSource HERE = OwnCode.class.getProtectionDomain().getCodeSource();
 

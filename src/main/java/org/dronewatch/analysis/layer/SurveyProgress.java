@@ -4,8 +4,8 @@ import java.util.function.IntConsumer;
 import org.dronewatch.analysis.cell.FieldColumns;
 
 /**
- * Reports the positions at which a sensor's levels are traced as cells of the field: all of them together count as much
- * as all cells, since tracing takes most of the time. Thread-safe.
+ * Reports how far the tracing of a sensor's levels has progressed, as a number of cells of the field: all positions at
+ * which levels are traced together count as much as all cells, since tracing takes most of the time. Thread-safe.
  */
 final class SurveyProgress {
     private final IntConsumer progress;

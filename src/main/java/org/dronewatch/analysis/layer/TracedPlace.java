@@ -13,8 +13,8 @@ import org.dronewatch.sound.Levels;
  * @param at the position, m
  * @param isInSight whether nothing is in the way of the direct signal
  * @param signal the signal
- * @param overOpen by how much that exceeds the signal in the open, dB
- * @param exact by how much the signal along exact paths exceeds that in the open, dB
+ * @param overOpen by how much it exceeds the signal in the open, dB
+ * @param exact by how much the signal along exact paths exceeds the signal in the open, dB
  * @param rest what arrives along other paths, dB
  */
 record TracedPlace(Position at, boolean isInSight, Signal signal, double overOpen, double exact, double rest) {

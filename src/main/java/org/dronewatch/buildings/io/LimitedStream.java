@@ -3,7 +3,7 @@ package org.dronewatch.buildings.io;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Ends a file that never stops unpacking. */
+/** Limits the number of bytes to which a compressed file may be unpacked. */
 final class LimitedStream extends InputStream {
     private final InputStream in;
     private final long most;

@@ -2,7 +2,7 @@ package org.dronewatch.buildings.io;
 
 import java.util.Arrays;
 
-/** Numbers by numbers, without an object for each: where the node of an identifier is kept. */
+/** Maps identifiers of nodes to the indices at which the nodes are kept, without an object for each. */
 final class LongIndex {
     private static final long MIX = 0x9E3779B97F4A7C15L;
 

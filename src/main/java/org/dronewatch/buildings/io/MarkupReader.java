@@ -4,7 +4,10 @@ import java.io.FilterReader;
 import java.io.IOException;
 import java.io.Reader;
 
-/** Ends the reading of XML without markup: the parser would keep an element or a text of any length in memory. */
+/**
+ * Stops reading XML in which no markup follows for too long: the parser would keep an element or a text of any length
+ * in memory.
+ */
 final class MarkupReader extends FilterReader {
     private static final int MOST = 1_000_000;
 

@@ -42,7 +42,7 @@ interface OsmElements {
      * A way in a relation.
      *
      * @param way its number
-     * @param role what it is there, such as {@code outer}
+     * @param role its role in the relation, such as {@code outer}
      */
     record Member(long way, String role) {}
 }

@@ -117,7 +117,9 @@ final class OsmLand {
         ways.putIfAbsent(id, new Way(refs, tags));
     }
 
-    /** Of the ways in the area, only those that cover the ground or bound what does are needed from here on. */
+    /**
+     * Of the ways in the area, only those that cover the ground, or bound an area that does, are needed from here on.
+     */
     private void dropOthers() {
         Set<Long> members = new HashSet<>();
         for (Relation relation : relations) {

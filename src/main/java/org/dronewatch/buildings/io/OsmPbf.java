@@ -10,7 +10,10 @@ import java.util.Set;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
-/** Reads the binary format of OpenStreetMap (PBF): texts by number, and coordinates as differences in nanodegrees. */
+/**
+ * Reads the binary format of OpenStreetMap (PBF), in which texts are given by their numbers, and coordinates as
+ * differences in nanodegrees.
+ */
 final class OsmPbf {
     private static final Set<String> KNOWN = Set.of("OsmSchema-V0.6", "DenseNodes");
 

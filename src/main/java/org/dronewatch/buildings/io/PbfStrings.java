@@ -3,7 +3,10 @@ package org.dronewatch.buildings.io;
 import java.io.IOException;
 import java.util.Arrays;
 
-/** The texts of a block by number, made when they are first used: a block may hold millions that nobody uses. */
+/**
+ * The texts of a block by their numbers, decoded when they are first used: a block may hold millions that are never
+ * used.
+ */
 final class PbfStrings {
     static final PbfStrings NONE = new PbfStrings(new ProtoReader(new byte[0]), new long[0]);
 

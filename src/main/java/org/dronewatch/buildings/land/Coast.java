@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The sea beyond a coastline, which has it on its right, as OpenStreetMap states. The side of a point is that of the
- * nearest piece of the line; where that is a corner, of the piece that is seen the least obliquely from there, which is
- * right for acute corners, too (V. Chlumsky, Shape Decomposition for Multi-channel Distance Fields, 2015, section 2.4:
- * pseudo-distance and orthogonality). Where the line ends inside the area, the border between both sides is equally far
- * from both ends.
+ * The sea beyond a coastline, which OpenStreetMap draws with the sea on its right. On which side a point lies is
+ * decided by the nearest piece of the line; if the nearest point of the line is a corner, by that piece at the corner
+ * which is seen the least obliquely from the point, which is right for acute corners, too (V. Chlumsky, Shape
+ * Decomposition for Multi-channel Distance Fields, 2015, section 2.4: pseudo-distance and orthogonality). Where the
+ * line ends inside the area, the border between both sides is equally far from both ends.
  */
 final class Coast {
     private static final int NUMBERS = 4;

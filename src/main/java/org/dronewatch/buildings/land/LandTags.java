@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronewatch.buildings.io.MapLength;
 
-/** Land cover by the tags of OpenStreetMap. */
+/** Determines land cover from the tags of OpenStreetMap. */
 final class LandTags {
     /** The width of a lane, for roads that state their lanes but no width, m. */
     private static final double LANE = 3.25;
@@ -200,7 +200,7 @@ final class LandTags {
         return "coastline".equals(tags.get("natural"));
     }
 
-    /** What a closed shape is as an area; empty if it is not an area, such as a roundabout. */
+    /** The land cover of a closed shape as an area; empty if it is not an area, such as a roundabout. */
     static Optional<LandUse> area(Map<String, String> tags) {
         boolean isRoadArea = tags.containsKey("highway") && "yes".equals(tags.get("area"));
         if (isRoadArea || isYes(tags, "area:highway")) {
@@ -229,7 +229,7 @@ final class LandTags {
         return LandUse.area(land, isPaved ? LandUse.Layer.PAVED : LandUse.Layer.AREA);
     }
 
-    /** What a shape is as a line; empty if it is none. */
+    /** The land cover of a shape as a line; empty if it is not a line. */
     static Optional<LandUse> line(Map<String, String> tags) {
         if ("yes".equals(tags.get("area"))) {
             return Optional.empty();

@@ -4,7 +4,7 @@ package org.dronewatch.buildings.land;
  * The land cover that a shape on a map represents.
  *
  * @param land its class
- * @param layer what is drawn over what
+ * @param layer the layer, which decides what is drawn over what
  * @param width width of a line, m; 0 for an area
  */
 record LandUse(LandClass land, Layer layer, double width) {

@@ -97,11 +97,12 @@ final class GltfBuffers {
     }
 
     /**
-     * Values in a buffer, read one at a time: what a file states about their number allocates nothing.
+     * Values in a buffer, read one at a time: the number of values that a file states does not cause any memory to be
+     * allocated.
      *
-     * @param count of values
-     * @param start of the first one in the buffer
-     * @param stride from one to the next, bytes
+     * @param count number of values
+     * @param start where the first one begins in the buffer
+     * @param stride distance from one to the next, bytes
      */
     record Accessor(
             ByteBuffer buffer, int count, long start, long stride, int component, int size, boolean isNormalized) {

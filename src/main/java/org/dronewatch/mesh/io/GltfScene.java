@@ -233,7 +233,7 @@ final class GltfScene {
 
     /**
      * The vertices of the corners of a primitive, added to the model. Many primitives may take a few each from the same
-     * positions: the effort goes with the corners, not with the positions that there are.
+     * positions: the effort is proportional to the number of corners, not to the number of positions in the file.
      */
     private int[] corners(JsonNode primitive, GltfBuffers.Accessor positions, double[] matrix) {
         if (!primitive.has("indices")) {

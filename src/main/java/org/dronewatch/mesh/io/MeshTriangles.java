@@ -6,7 +6,10 @@ import org.dronewatch.geometry.Ints;
 import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.mesh.polygon.PolygonCutter;
 
-/** The triangles of polygons, numbered as they come; those without area are left out but keep their numbers. */
+/**
+ * The triangles of polygons, numbered in the order in which they come; those without area are left out but keep their
+ * numbers.
+ */
 final class MeshTriangles {
     private final Floats vertices;
     private final PolygonCutter cutter;

@@ -79,8 +79,8 @@ public final class ModelCollector {
      *
      * @param material name of the material; not empty
      * @param corners three or more indices of vertices that were added before
-     * @throws InputException when there are fewer corners, a corner is not the index of a vertex, or there are too many
-     *     triangles, in total or for the memory that Java may use
+     * @throws InputException when there are fewer than three corners, a corner is not the index of a vertex, or there
+     *     are too many triangles, in total or for the memory that Java may use
      */
     public void addFace(String material, int... corners) {
         if (corners.length < 3) {

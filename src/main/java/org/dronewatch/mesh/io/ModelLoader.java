@@ -13,10 +13,10 @@ import org.dronewatch.setting.InputException;
 
 /** Reads triangle meshes from model files, in all formats with a {@link MeshReader} on the class path. */
 public final class ModelLoader {
-    /** About thirty buildings are higher, m; a house of two floors in centimetres is. */
+    /** About thirty buildings are higher, m, and so is a house of two floors if its file is in centimetres. */
     private static final double HIGHEST = 500.0;
 
-    /** Less than any drone or obstacle, m; a house in kilometres is smaller. */
+    /** Less than any drone or obstacle, m; a house whose file is in kilometres is smaller. */
     private static final double SMALLEST = 0.05;
 
     private final Path directory;
@@ -104,7 +104,7 @@ public final class ModelLoader {
                 model.name(), model.mesh(), model.dropped(), model.skipped(), model.colours(), model.files(), warnings);
     }
 
-    /** Nothing else may lie so far away: it is in coordinates of a map, and its floats have lost their precision. */
+    /** Only a model in coordinates of a map lies so far away, and its floats have lost their precision. */
     private static LoadedModel doubtIfFar(LoadedModel model, ModelSettings settings) {
         AABB box = model.mesh().bounds();
         double far = Math.max(

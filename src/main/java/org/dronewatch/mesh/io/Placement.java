@@ -49,7 +49,7 @@ final class Placement {
     /**
      * Appends the placed vertex.
      *
-     * @throws InputException in part of a line when it lies where the grid has no coordinates
+     * @throws InputException whose message is part of a line, when it lies where the grid has no coordinates
      */
     void place(double fileX, double fileY, double fileZ, Floats target) {
         double modelX = fileX - origin.x();

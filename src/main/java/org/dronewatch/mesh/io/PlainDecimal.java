@@ -2,7 +2,7 @@ package org.dronewatch.mesh.io;
 
 /**
  * Reads decimal numbers as they are usually written, without an exponent and with few digits, exactly as Java's own
- * methods do but without an object for each.
+ * methods do, but without an object for each.
  */
 final class PlainDecimal {
     /** An integer of this many digits is one that a double holds exactly. */

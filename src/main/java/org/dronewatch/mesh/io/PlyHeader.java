@@ -14,13 +14,13 @@ import org.dronewatch.setting.PlainText;
  * What the header of a PLY file says about what follows.
  *
  * @param order of the bytes of numbers; empty for text
- * @param elements in their order
+ * @param elements the elements in the order of the file
  */
 record PlyHeader(Optional<ByteOrder> order, List<Element> elements) {
     private static final int MOST_LINES = 10_000;
     private static final int LONGEST_LINE = 4096;
 
-    /** Types of numbers, by both of their names. */
+    /** Types of numbers; each has two names. */
     enum Type {
         INT8(1, "char", "int8"),
         UINT8(1, "uchar", "uint8"),
@@ -52,7 +52,7 @@ record PlyHeader(Optional<ByteOrder> order, List<Element> elements) {
     /**
      * One of the values of an element.
      *
-     * @param count the type of the length, for a list
+     * @param count for a list, the type of the number that states its length
      */
     record Property(String name, Type type, Optional<Type> count) {}
 

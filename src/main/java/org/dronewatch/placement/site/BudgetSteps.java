@@ -22,7 +22,7 @@ final class BudgetSteps {
      * Evenly spaced budgets in ascending order.
      *
      * @param sums the sums of prices
-     * @param limit all are lower
+     * @param limit a limit below which all of them lie
      * @param most greatest number of them, 0 or more
      */
     static List<Double> spread(NavigableSet<Double> sums, double limit, int most) {

@@ -32,7 +32,7 @@ public interface CheaperLayouts<L extends PlacedLayout> {
     Optional<SectorGain> gain(Optional<L> before, L after);
 
     /**
-     * Whether a layout is better than some value by more than the search can resolve: not if the values are equal, nor
+     * Whether a layout is better than some value by more than the search can resolve: false if the values are equal, or
      * if they are estimates that differ by less than the gap of the search.
      */
     default boolean isBetter(L layout, double value, SolverLimits limits) {

@@ -63,8 +63,8 @@ public record WarningPlacement(
     }
 
     /**
-     * The warning time of each flight, by condition, by the sensor that counts: the first, or a later one that must
-     * confirm it, s.
+     * The warning time of each flight under each condition, given by the sensor that counts: the first, or a later one
+     * that has to confirm the detection, s.
      */
     double[] warnings(List<Integer> layout) {
         int fold = problem.conditions().fold();

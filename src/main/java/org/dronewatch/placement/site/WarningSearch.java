@@ -108,7 +108,7 @@ public final class WarningSearch {
         return LayoutWarnings.of(placement, flights.asItIs(), progress);
     }
 
-    /** Assesses each candidate by itself; gives whether it was not interrupted after the first. */
+    /** Assesses each candidate by itself; returns false if it was interrupted after the first one. */
     private boolean assess(List<List<InboundWarnings>> warnings, IntConsumer progress) {
         try {
             plan.candidates().forEach(one -> warnings.add(flights.of(Map.of(one.name(), one.sensor()), progress)));

@@ -3,10 +3,10 @@ package org.dronewatch.placement.solver;
 import java.util.Arrays;
 
 /**
- * The relaxation for sums of the rows' best gains: each row may take the gains of several candidates, at a price.
- * For k = 1 its best bound is that of the linear programme of the p-median: G. Cornuejols, M. L. Fisher and G. L.
- * Nemhauser, Management Science 23 (1977). The k-th best gain of a row is at most the mean of its k best, which is
- * what is bounded.
+ * The relaxation for sums of the rows' best gains: each row may take the gains of several candidates, at a price. For k
+ * = 1 its best bound is that of the linear programme of the p-median: G. Cornuejols, M. L. Fisher and G. L. Nemhauser,
+ * Management Science 23 (1977). For greater k, it is the mean of a row's k best gains that is bounded, which is no less
+ * than the k-th best.
  */
 final class BestSumDual extends Dual {
     BestSumDual(Gains gains, Rules rules) {

@@ -5,8 +5,9 @@ import java.util.Deque;
 import java.util.function.BooleanSupplier;
 
 /**
- * Proves the best choice: decides candidates one by one, bounds what is left by a Lagrangian relaxation, and leaves
- * out what cannot be better. A candidate without which, or with which, nothing better is possible is decided at once.
+ * Proves which choice is best: decides candidates one by one, bounds what is left by a Lagrangian relaxation, and
+ * leaves out what cannot be better. A candidate without which, or with which, nothing better is possible is decided at
+ * once.
  */
 final class BranchAndBound {
     private static final int FIRST_STEPS = 600;

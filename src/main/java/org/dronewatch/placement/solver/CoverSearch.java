@@ -99,7 +99,7 @@ final class CoverSearch {
         return isFound;
     }
 
-    /** Whether what satisfies all demands complies, or does so with more candidates. */
+    /** Whether the choice that satisfies all demands complies, if necessary with further candidates. */
     private boolean completed() {
         int[] added = missing(SearchNode.having(state, SearchNode.IN, SearchNode.IN));
         if (added == null) {

@@ -3,8 +3,9 @@ package org.dronewatch.placement.solver;
 import org.dronewatch.placement.solver.Gains.Form;
 
 /**
- * Decides whether a part of the search can be left out, because nothing in it is better than what was found by more
- * than the gap that was asked for. If all gains are multiples of a unit, bounds are rounded down to such a multiple.
+ * Decides whether a part of the search can be left out, because nothing in it exceeds the best choice found so far by
+ * more than the gap that was asked for. If all gains are multiples of a unit, bounds are rounded down to such a
+ * multiple.
  */
 final class Cutoff {
     private static final double ROUNDING = 1e-9;

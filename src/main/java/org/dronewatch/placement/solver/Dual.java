@@ -3,9 +3,8 @@ package org.dronewatch.placement.solver;
 import java.util.Arrays;
 
 /**
- * A Lagrangian relaxation: for any multipliers of the rows, an upper bound of the gain of all choices that agree with
- * some decisions. The rows no longer bind the candidates together, so that each has a separate share. Not
- * thread-safe.
+ * A Lagrangian relaxation: for any multipliers of the rows, an upper bound on the gain of all choices that agree with
+ * some decisions. The rows no longer bind the candidates together, so that each has a separate share. Not thread-safe.
  */
 abstract class Dual {
     final Gains gains;

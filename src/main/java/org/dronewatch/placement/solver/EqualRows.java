@@ -19,7 +19,9 @@ final class EqualRows {
     private final int[] first;
     private final double[] weights;
 
-    /** The rows of a table; those of different groups, or with different impacts where nothing detects, differ. */
+    /**
+     * The rows of a table; those of different groups, or with different impacts where nothing detects anything, differ.
+     */
     EqualRows(CandidateTable table, IntToDoubleFunction undetected) {
         merged = new int[table.rows()];
         int classes = divideByGroup(table, divideByImpact(undetected));

@@ -6,9 +6,9 @@ import org.dronewatch.placement.PlacementObjective;
 import org.dronewatch.placement.PlacementProblem;
 
 /**
- * A problem in the form that all searches share: gains of 0 or more, the greater the better, with the weights of the
- * rows in them. Impacts become the reduction of the impact where no candidate detects anything; probabilities become
- * -ln(1 - p), which add up. Immutable and thread-safe.
+ * A problem in the form that all searches share: gains of 0 or more, the greater the better, which include the weights
+ * of the rows. An impact becomes the amount by which it is less than the impact if no candidate detects anything;
+ * probabilities p become -ln(1 - p), which add up. Immutable and thread-safe.
  */
 final class Gains {
     /** How the gains of the chosen candidates in a row are combined, and how the rows are combined into a value. */

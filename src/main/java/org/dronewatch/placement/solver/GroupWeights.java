@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * Weights with which the sums of the groups are added up, so that the greatest sum exceeds the least group as little as
- * possible: a group that is served well counts less in the next round. These are multiplicative weights, for the game
- * between a choice and a group: Y. Freund and R. E. Schapire, Adaptive game playing using multiplicative weights, Games
- * and Economic Behavior 29 (1999). Not thread-safe.
+ * Weights with which the sums of the groups are added up, so that the greatest weighted sum exceeds the sum of the
+ * least group by as little as possible: a group that is served well counts less in the next round. These are
+ * multiplicative weights, for the game between a choice and a group: Y. Freund and R. E. Schapire, Adaptive game
+ * playing using multiplicative weights, Games and Economic Behavior 29 (1999). Not thread-safe.
  */
 final class GroupWeights {
     private static final int ROUNDS = 24;

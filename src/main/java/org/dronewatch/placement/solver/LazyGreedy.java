@@ -7,13 +7,13 @@ import java.util.PriorityQueue;
 import org.dronewatch.placement.solver.Gains.Form;
 
 /**
- * Chooses what adds most, repeatedly. Where a candidate adds less the more are already chosen (submodularity), a
- * gain that was computed earlier is an upper bound, so that only candidates at the head of a queue are computed
- * again: M. Minoux, Accelerated greedy algorithms (1978). With a limit on the number alone, the choice has at least
- * 1 - 1/e = 63 % of the best gain: G. L. Nemhauser, L. A. Wolsey and M. L. Fisher, Mathematical Programming 14
- * (1978). Under a budget, the better of two such choices, by gain and by gain per cost, has at least (1 - 1/e) / 2:
- * J. Leskovec et al., Cost-effective outbreak detection in networks, KDD 2007. With kinds, exclusive places and
- * fixed candidates there is no such guarantee.
+ * Chooses what adds most, repeatedly. Where a candidate adds less the more are already chosen (submodularity), a gain
+ * that was computed earlier is an upper bound, so that gains are computed again only for candidates at the head of a
+ * queue: M. Minoux, Accelerated greedy algorithms (1978). With a limit on the number alone, the choice has at least 1 -
+ * 1/e = 63 % of the best gain: G. L. Nemhauser, L. A. Wolsey and M. L. Fisher, Mathematical Programming 14 (1978).
+ * Under a budget, the better of two such choices, by gain and by gain per cost, has at least (1 - 1/e) / 2: J. Leskovec
+ * et al., Cost-effective outbreak detection in networks, KDD 2007. With kinds, exclusive places and fixed candidates
+ * there is no such guarantee.
  */
 final class LazyGreedy {
     private final Gains gains;

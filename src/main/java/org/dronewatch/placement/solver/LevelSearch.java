@@ -8,8 +8,9 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /**
- * Proves the best choice for the least of the rows' best gains, such as the p-centre: bisects the levels that this can
- * have, and for each level searches for a choice that reaches it in every row: E. Minieka, SIAM Review 12 (1970).
+ * Proves which choice is best for the least of the rows' best gains, as in the p-centre problem: bisects the levels
+ * that this least gain can have, and for each level searches for a choice that reaches it in every row: E. Minieka,
+ * SIAM Review 12 (1970).
  */
 final class LevelSearch {
     private final Gains gains;
@@ -127,8 +128,8 @@ final class LevelSearch {
     }
 
     /**
-     * If too few candidates of a choice reach what must remain of a row after a loss that stops others, too: the
-     * candidates that reach it, and those that the stopped ones need; null if enough reach it.
+     * If too few candidates of a choice reach what must remain of a row after a loss that also stops other candidates:
+     * the candidates that reach it, and those that the stopped ones need; null if enough reach it.
      */
     private int[] mending(int[] chosen) {
         Rules rules = incumbent.rules();

@@ -42,7 +42,7 @@ final class Selection {
         ofKind = new int[rules.kinds()];
     }
 
-    /** An upper bound of the sum of shares over all choices that agree with the decisions. */
+    /** An upper bound on the sum of shares over all choices that agree with the decisions. */
     double solve(double[] share, byte[] state) {
         tally.clear();
         double decided = 0.0;

@@ -4,9 +4,9 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * Lowers the bound of a relaxation by steps against its slopes, of B. T. Polyak's length: the estimated distance to the
- * best gain over the square of the slopes, by a factor that is halved when the bound no longer decreases: M. Held, P.
- * Wolfe and H. P. Crowder, Mathematical Programming 6 (1974).
+ * Lowers the bound of a relaxation by steps against its slopes, whose length is B. T. Polyak's: the estimated distance
+ * to the best gain, divided by the sum of the squares of the slopes and multiplied by a factor that is halved when the
+ * bound no longer decreases: M. Held, P. Wolfe and H. P. Crowder, Mathematical Programming 6 (1974).
  */
 final class Subgradient {
     private static final int PATIENCE = 12;

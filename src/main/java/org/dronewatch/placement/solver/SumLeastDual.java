@@ -3,8 +3,8 @@ package org.dronewatch.placement.solver;
 import java.util.Arrays;
 
 /**
- * The relaxation for the least of the rows' sums: it is at most any weighted mean of the rows. The best weights give
- * the bound of the linear programme, by von Neumann's minimax theorem.
+ * The relaxation for the least of the rows' sums, which is at most any weighted mean of these sums. The best weights
+ * give the bound of the linear programme, by von Neumann's minimax theorem.
  */
 final class SumLeastDual extends Dual {
     SumLeastDual(Gains gains, Rules rules) {

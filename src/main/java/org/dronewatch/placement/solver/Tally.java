@@ -2,7 +2,7 @@ package org.dronewatch.placement.solver;
 
 import java.util.Arrays;
 
-/** What a choice has used up of its conditions so far. Not thread-safe. */
+/** How much of the limits in the conditions a choice has used up so far. Not thread-safe. */
 final class Tally {
     private final Rules rules;
     private final boolean[] isTaken;

@@ -38,8 +38,8 @@ final class VariantTables {
             head.add(ShareWords.name(outcome));
         }
         List<List<String>> rows = new ArrayList<>();
-        IntervalBars bars =
-                new IntervalBars("share of the cases in which " + ShareWords.clause(headline), ShareWords.PERCENT, "%");
+        IntervalBars bars = new IntervalBars(
+                "fraction of the cases in which " + ShareWords.clause(headline), ShareWords.PERCENT, "%");
         summary.variants().forEach((name, one) -> {
             List<String> row = new ArrayList<>(List.of(name, count(one.cases()), count(one.failed())));
             for (Outcome outcome : Outcome.values()) {
@@ -82,7 +82,9 @@ final class VariantTables {
                             : "All attacks came from " + names(seen) + ".");
         }
         Rose rose = new Rose(
-                "share of the cases in which " + ShareWords.clause(headline) + ", by bearing", ShareWords.PERCENT, "%");
+                "fraction of the cases in which " + ShareWords.clause(headline) + ", by bearing",
+                ShareWords.PERCENT,
+                "%");
         rose.scale();
         int number = 0;
         for (Map.Entry<String, VariantSummary> variant : summary.variants().entrySet()) {
@@ -96,7 +98,7 @@ final class VariantTables {
     }
 
     private String introduction(List<Integer> seen, int variants) {
-        return "The figure shows, for each of eight directions, the share of the attacks from there in which "
+        return "The figure shows, for each of eight directions, the fraction of the attacks from there in which "
                 + ShareWords.clause(headline) + "; the rim is 100 %."
                 + (seen.size() < VariantSummary.SECTORS ? " Attacks came only from " + names(seen) + "." : "")
                 + (variants > SeriesStyle.MOST

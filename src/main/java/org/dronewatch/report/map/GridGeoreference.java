@@ -34,7 +34,7 @@ record GridGeoreference(CoordinateReferenceSystem crs, double[] matrix) {
     }
 
     /**
-     * The georeference of a grid.
+     * The georeferencing of a grid.
      *
      * @param east of its centre, m
      * @param north of its centre, m

@@ -150,7 +150,7 @@ final class SearchNotes {
         return routes.isEmpty()
                 ? Optional.empty()
                 : Optional.of("Less exposed routes " + RouteDirections.from(routes)
-                        + " cannot be ruled out: the lower bound of the exposure is compatible with a probability of detection"
+                        + " cannot be ruled out: the lower bound on the exposure is compatible with a probability of detection"
                         + inTime(response)
                         + " that is more than 20 percentage points lower. To look for them between cell centres,"
                         + " try " + finer() + elsewhere(routes) + ".");

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
  * What the estimates of a sensor's looks from about the same place on a route show together. A look in which one trace
  * in a thousand detects the drone probably has no detection in its first few estimates, and would never get more; its
  * neighbours, from all moments at which the route begins, show what to expect of it. Where no trace along the whole
- * route has detected the drone, one of them might well have. Immutable.
+ * route has detected the drone, one more trace might have. Immutable.
  */
 final class NearbyEstimates {
     /** The number of looks before and after a look that count as its neighbours, by time. */

@@ -30,8 +30,8 @@ final class PlainFlight {
     }
 
     /**
-     * Runs it on this thread alone, as the runs are shared among the threads: up to the first detection on the route
-     * or, if alerts are asked for, up to the alert.
+     * Runs it on this thread alone, since the runs themselves are shared out among the threads: up to the first
+     * detection on the route or, if alerts are asked for, up to the alert.
      *
      * @param alerts if given, how an alert by any single sensor is confirmed
      */

@@ -66,8 +66,8 @@ public record RouteProof(
     }
 
     /**
-     * Whether a run is repeated as a plain run: one in each {@link #PLAIN} runs, each time one position later among
-     * them, so that all moments at which a route begins have their turn.
+     * Whether a run is repeated as a plain run: one in every {@link #PLAIN} runs, each time one position later among
+     * these, so that all moments at which a route begins have their turn.
      */
     static boolean isPlain(int run) {
         return run % PLAIN == run / PLAIN % PLAIN;

@@ -91,7 +91,8 @@ public final class UnforeseenExposure implements ExposureField {
     }
 
     /**
-     * A point in the cube between nodes in which it lies, or next to which if it lies outside the grid.
+     * The position of a point in the cube between nodes that contains it or, for a point outside the grid, relative to
+     * the nearest cube.
      *
      * @param column number of columns from the first, with the fraction that lies beyond a node
      * @param row the same from the first row

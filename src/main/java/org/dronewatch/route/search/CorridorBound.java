@@ -5,12 +5,12 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /**
- * A lower bound of the exposure of all routes that are hardly longer than the straight line. A route of at most a given
- * length from one point to another stays inside the prolate spheroid that has them as foci. The route crosses each slab
- * that is perpendicular to the straight line, and its length inside the slab is at least the slab's thickness, so that
- * its exposure is at least the sum, over the slabs, of the thickness times the least exposure per metre in slab and
- * spheroid. Routes that begin, or end, within a ball are those from, or to, its centre, with its radius added to their
- * length. The shorter the detour that the length allows, the tighter the bound.
+ * A lower bound on the exposure along all routes that are hardly longer than the straight line. A route of at most a
+ * given length from one point to another stays inside the prolate spheroid that has them as foci. The route crosses
+ * each slab that is perpendicular to the straight line, and its length inside the slab is at least the slab's
+ * thickness, so that its exposure is at least the sum, over the slabs, of the thickness times the least exposure per
+ * metre in slab and spheroid. Routes that begin, or end, within a ball are those from, or to, its centre, with its
+ * radius added to their length. The shorter the detour that the length allows, the tighter the bound.
  */
 final class CorridorBound {
     /** The thickness of slabs as a fraction of the distance between nodes; they may be a little thinner. */

@@ -6,7 +6,7 @@ import org.dronewatch.parallel.Workers;
 
 /**
  * The cubes between the nodes of a grid, or squares if it has one level: for each, the greatest slope of a lower bound
- * of the exposure, in coordinates in which the third is the height above the ground. Immutable.
+ * on the exposure, in coordinates in which the third is the height above the ground. Immutable.
  */
 final class CubeSlopes {
     private static final int CORNERS = 8;

@@ -1,8 +1,8 @@
 package org.dronewatch.route.search;
 
 /**
- * One simplex of {@link CubePaths} with values at its corners, along its path. Successive edges are perpendicular, so
- * that a linear function's gradient has a component along each. Scratch memory of one thread.
+ * One simplex of {@link CubePaths}, with values at its corners in the order of its path. Successive edges are
+ * perpendicular, so that a linear function's gradient has a component along each. Scratch memory of one thread.
  */
 final class Eikonal {
     /** Values at the corners along the path. */

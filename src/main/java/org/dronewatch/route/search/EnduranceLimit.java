@@ -172,7 +172,8 @@ public final class EnduranceLimit {
      *
      * @param price price of time, 1/s
      * @param routes the weakest routes at this price
-     * @param bound the lower bound on the exposure and the price of all routes; empty where it does not help
+     * @param bound the lower bound on the sum of exposure and priced time along all routes; empty where it does not
+     *     help
      */
     private record Priced(double price, WeakestRoutes routes, Optional<ExposureBound> bound) {}
 

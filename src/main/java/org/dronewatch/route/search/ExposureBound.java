@@ -5,11 +5,11 @@ import java.util.BitSet;
 import org.dronewatch.parallel.Workers;
 
 /**
- * A certified lower bound of the exposure of all routes to the goals, not only of those over nodes. A function of the
- * position that is 0 at the goals, and whose gradient nowhere exceeds the least exposure per metre, is such a bound,
- * since along any route it falls by no more than the exposure. Here it is linear on the simplices of {@link CubePaths},
- * in coordinates in which the third is the height above the ground, and the least exposure is that of a whole cube, all
- * headings and all modes; limits on turns and climbs are left out, which only lowers the bound.
+ * A certified lower bound on the exposure along all routes to the goals, not only of those over nodes. A function of
+ * the position that is 0 at the goals, and whose gradient nowhere exceeds the least exposure per metre, is such a
+ * bound, since along any route it falls by no more than the exposure. Here it is linear on the simplices of
+ * {@link CubePaths}, in coordinates in which the third is the height above the ground, and the least exposure is that
+ * of a whole cube, all headings and all modes; limits on turns and climbs are left out, which only lowers the bound.
  *
  * <p>Gauss-Seidel sweeps in all orders (H. Zhao, Mathematics of Computation 74, 2005) give the function up to small
  * excesses of the gradient, mostly at corners of the field. Its values are then compressed, level by level, by the
@@ -146,7 +146,7 @@ final class ExposureBound {
         }
     }
 
-    /** A lower bound of the exposure of all routes from a set of nodes, and from the faces between them. */
+    /** A lower bound on the exposure along all routes from a set of nodes, and from the faces between them. */
     double from(BitSet starts) {
         double least = starts.stream().mapToDouble(node -> values[node]).min().orElse(Double.POSITIVE_INFINITY);
         if (least == 0.0 || least == Double.POSITIVE_INFINITY) {

@@ -2,8 +2,8 @@ package org.dronewatch.route.search;
 
 /**
  * How legs over the nodes of a grid turn where turns need room: each leg is long enough for a turn by {@link #ROOM} or,
- * where directions are farther apart, into the next one, and may turn as far as its own length and that of the other
- * leg allow. As {@linkplain LegLimits#isTurnable for any route}, a turn takes up half a leg at most. Immutable.
+ * where directions are farther apart, into the next direction, and may turn as far as its own length and that of the
+ * other leg allow. As {@linkplain LegLimits#isTurnable for any route}, a turn takes up half a leg at most. Immutable.
  */
 final class LegTurns {
     /** Half the angle between the directions of the two knight's moves on either side of an axis, rad. */

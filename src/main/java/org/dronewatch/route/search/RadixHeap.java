@@ -3,9 +3,9 @@ package org.dronewatch.route.search;
 import java.util.Arrays;
 
 /**
- * A queue of numbers with keys of 0 or more that come out in ascending order, where no key put in is less than the last
- * one taken out: the radix heap of R. K. Ahuja, K. Mehlhorn, J. B. Orlin and R. E. Tarjan, Journal of the ACM 37
- * (1990). The bits of such doubles are in the order of their values. Not thread-safe.
+ * A queue of numbers that come out in ascending order of their keys, which are 0 or more; no key that is put in may be
+ * less than the last one that was taken out: the radix heap of R. K. Ahuja, K. Mehlhorn, J. B. Orlin and R. E. Tarjan,
+ * Journal of the ACM 37 (1990). The bits of doubles of 0 or more are in the order of their values. Not thread-safe.
  */
 final class RadixHeap {
     private static final int BUCKETS = 65;

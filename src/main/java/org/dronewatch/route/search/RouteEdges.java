@@ -6,8 +6,8 @@ import java.util.Arrays;
  * The legs between nodes: straight in plan, level or one level up or down. Their exposure is the time that they take
  * times the mean rate on the leg's own heading, where the rate is bilinear between the nodes of a level, and a leg that
  * climbs or descends passes from the rate at one level to that at the other in proportion to the distance. Where the
- * drone needs room to turn, and where it glides, a leg leads over several nodes. Where it needs none, it also climbs
- * and descends vertically under power. Immutable.
+ * drone needs room to turn, and where it glides, a leg leads over several nodes. Where the drone needs no room to turn,
+ * it also climbs and descends vertically under power. Immutable.
  */
 final class RouteEdges {
     /** Up, level, down. */

@@ -117,7 +117,7 @@ final class RouteFinish {
         return route;
     }
 
-    /** The fraction of a leg at which it is surely inside: 0 where it begins inside. */
+    /** The fraction of a leg at which it is certainly inside: 0 where it begins inside. */
     static double share(double entry, Position from, Position to) {
         return entry > 0.0 ? Math.min(1.0, entry + INSIDE / from.distance(to)) : 0.0;
     }

@@ -64,7 +64,10 @@ final class RouteSmoothing {
         return of(problem, path, Optional.empty(), Optional.empty());
     }
 
-    /** The smoothed path where another one continues it, to whose first corner it must be able to turn. */
+    /**
+     * The smoothed path if another one continues it; at its end, the drone must be able to turn towards the first
+     * corner of the other one.
+     */
     static RoutePath before(RoutePath rest, RouteProblem problem, RoutePath path) {
         Optional<Position> next = rest.modes().isEmpty()
                 ? Optional.empty()
@@ -73,7 +76,8 @@ final class RouteSmoothing {
     }
 
     /**
-     * The smoothed path where it continues another one, and is turned into from a point on the last leg of that one.
+     * The smoothed path if it continues another one; the drone turns into it from a point on the last leg of the other
+     * one.
      */
     static RoutePath after(Position before, RouteProblem problem, RoutePath path) {
         return of(problem, path, Optional.of(before), Optional.empty());
@@ -245,7 +249,7 @@ final class RouteSmoothing {
                 + cost(points.get(i), points.get(i + 1), modes.get(i));
     }
 
-    /** Moves a point by a step along each axis where that gains something; gives the exposure of its two legs. */
+    /** Moves a point by a step along each axis where that gains something; returns the exposure of its two legs. */
     private double move(int i, double before, double step) {
         double best = before;
         double[] at = points.get(i);

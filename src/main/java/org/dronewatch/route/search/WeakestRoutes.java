@@ -259,14 +259,14 @@ public final class WeakestRoutes {
         return finish.counted(route);
     }
 
-    /** A certified lower bound of the exposure and the price of all routes. */
+    /** A certified lower bound on the sum of exposure and priced time along all routes. */
     ExposureBound pricedBound() {
         return ExposureBound.of(priced, ends);
     }
 
     /**
-     * A certified lower bound of the exposure of all routes from some nodes that take no longer than a time; tight only
-     * if that time is hardly longer than that along the straight line.
+     * A certified lower bound on the exposure along all routes from some nodes that take no longer than a time; tight
+     * only if that time is hardly longer than that along the straight line.
      *
      * @param seconds the longest time, s
      */

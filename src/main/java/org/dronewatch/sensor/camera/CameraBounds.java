@@ -222,7 +222,7 @@ final class CameraBounds {
                     : Optional.empty();
         }
 
-        /** Between two numbers of pixels. All else is equal for one pixel and more, but not for none. */
+        /** Between two numbers of pixels. All else is equal for one pixel or more, but not for none. */
         private Range range(int least, int most) {
             Signal low = signal(least);
             Signal high = signal(most);

@@ -106,7 +106,7 @@ public sealed interface LinkBudget {
 
         /**
          * Hardware with a noise figure of 5 dB (M. A. Richards, Fundamentals of Radar Signal Processing, section 2.3: 2
-         * or 3 dB to 10 dB and more), losses of 6 dB (rounded) and a sweep of 10 MHz. The losses are those of scanning
+         * or 3 dB to 10 dB or more), losses of 6 dB (rounded) and a sweep of 10 MHz. The losses are those of scanning
          * and processing alone: a beam-shape loss of 2.5 dB, since a scanned beam rarely points straight at the drone
          * (a Gaussian beam in two dimensions: D. K. Barton, Radar System Analysis and Modeling), 1.3 dB each for
          * Hamming weighting in range and in speed (F. J. Harris, Proc. IEEE 66, 1978), and a CFAR loss of 1.0 dB, since

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor.radio;
 
 /**
- * Reflection from the earth as a sphere with 4/3 of its radius, on which waves in the standard atmosphere go straight
- * (ITU-R P.834; L. V. Blake, Radar Range-Performance Analysis, chapter 6). For distances and heights that are small
- * compared with the radius.
+ * Reflection from the earth as a sphere with 4/3 of its radius, above which waves in the standard atmosphere travel in
+ * straight lines (ITU-R P.834; L. V. Blake, Radar Range-Performance Analysis, chapter 6). For distances and heights
+ * that are small compared with the radius.
  */
 final class RoundEarth {
     /** m. */

@@ -5,7 +5,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 
 /**
- * The surface that reflects along a path: the straight line that fits best the heights of a site on both sides of a
+ * The surface that reflects along a path: the straight line that best fits the heights of a site on both sides of a
  * place on it. For use by one thread.
  */
 final class SurfaceLine {

@@ -4,7 +4,8 @@ package org.dronewatch.sensor.rf;
  * Man-made radio noise by type of surroundings: the median external noise figure for a lossless antenna,
  * {@code Fam = c - d lg f} dB above the thermal noise {@code k T0 B} at T0 = 290 K, where f is the frequency in MHz and
  * c and d are constants of the surroundings, from 0.3 to 250 MHz (ITU-R P.372-17, section on man-made noise). In half
- * of all locations it is higher. The recommendation gives no figures above 250 MHz.
+ * of all locations it is higher. The recommendation gives no figures above 250 MHz; those of {@link #BUSINESS} areas,
+ * up to 900 MHz, are from the older P.372-8.
  */
 public enum ManMadeNoise {
     /** City: 76.8 - 27.7 lg f. */

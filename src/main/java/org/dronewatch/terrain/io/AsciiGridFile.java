@@ -15,9 +15,8 @@ import org.dronewatch.setting.PlainText;
 
 /**
  * An ESRI ASCII grid: lines of a key and a value (ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter,
- * cellsize or dx and dy, perhaps NODATA_value), then the heights from the northernmost row to the southernmost. Without
- * a NODATA_value
- * -9999 means that there is no height, as in Esri's own programs.
+ * cellsize or dx and dy, optionally NODATA_value), then the heights from the northernmost row to the southernmost.
+ * Without a NODATA_value, -9999 means that there is no height, as in Esri's own programs.
  */
 final class AsciiGridFile implements ElevationFile {
     private static final double USUAL_NODATA = -9999.0;

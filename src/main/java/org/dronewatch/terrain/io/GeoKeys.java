@@ -78,7 +78,7 @@ final class GeoKeys {
         return metres;
     }
 
-    /** Where the posts are: in the middle of pixels that are areas, at those that are points. */
+    /** Where the posts are: at the centres of pixels that are areas, or at pixels that are points. */
     Lattice lattice() throws IOException {
         double[] m = tags.doubles(MATRIX);
         double[] scale = tags.doubles(PIXEL_SCALE);
@@ -90,12 +90,12 @@ final class GeoKeys {
             corner = new Lattice(tie[3] - tie[0] * scale[0], tie[4] + tie[1] * scale[1], scale[0], 0.0, 0.0, -scale[1]);
         } else {
             throw new InputException(name
-                    + ": has no georeference (tags 33550 and 33922, or 34264): gdal_translate -a_ullr W N E S -a_srs EPSG:CODE"
-                    + " adds one");
+                    + ": has no georeferencing (tags 33550 and 33922, or 34264): add it with gdal_translate"
+                    + " -a_ullr W N E S -a_srs EPSG:CODE");
         }
         if (!corner.isUsable()) {
             throw new InputException(
-                    name + ": its georeference (tags 33550 and 33922, or 34264) spans no area: " + corner);
+                    name + ": its georeferencing (tags 33550 and 33922, or 34264) spans no area: " + corner);
         }
         if (keys.getOrDefault(RASTER_TYPE, 1) == PIXEL_IS_POINT) {
             return corner;

@@ -10,9 +10,9 @@ import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.InputException;
 
 /**
- * A GeoTIFF file of one band: strips or tiles, BigTIFF, without compression or with LZW, deflate or PackBits,
- * predictors 2 and 3, whole and real numbers, either order of bytes. Tiles that are left out of a sparse file are
- * holes.
+ * A GeoTIFF or BigTIFF file with one band of whole or real numbers in either byte order, in strips or tiles that are
+ * uncompressed or compressed by LZW, deflate or PackBits, also with predictors 2 and 3. Tiles that are left out of a
+ * sparse file are holes.
  */
 final class GeoTiffFile implements ElevationFile {
     private static final int COLUMNS = 256;

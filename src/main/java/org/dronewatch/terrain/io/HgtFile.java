@@ -8,9 +8,9 @@ import org.dronewatch.geo.CoordinateReferenceSystem;
 import org.dronewatch.setting.InputException;
 
 /**
- * A tile of the Shuttle Radar Topography Mission: 1 by 1 degree in 1201 or 3601 posts a side, signed 16-bit metres,
- * high byte first, from the north-west corner row by row; -32768 where there is no height. The file name says where its
- * south-west corner is (SRTM documentation, SRTM_Topo.txt, version 2.1, NASA/JPL 2015).
+ * A tile of the Shuttle Radar Topography Mission: 1 by 1 degree, with 1201 or 3601 posts a side. Heights are in metres,
+ * as signed 16-bit numbers, high byte first, row by row from the north-west corner; -32768 where there is no height.
+ * The file name states where the south-west corner is (SRTM documentation, SRTM_Topo.txt, version 2.1, NASA/JPL 2015).
  */
 final class HgtFile implements ElevationFile {
     private static final Pattern NAME = Pattern.compile("([ns])(\\d\\d)([ew])(\\d\\d\\d)[^/]*\\.hgt");

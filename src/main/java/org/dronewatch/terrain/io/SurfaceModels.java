@@ -2,7 +2,10 @@ package org.dronewatch.terrain.io;
 
 import java.util.List;
 
-/** Elevation models of the whole earth, all of which were measured from above roofs and trees. */
+/**
+ * Elevation models of the whole earth, all of which were measured from above, so that their heights include roofs and
+ * trees.
+ */
 final class SurfaceModels {
     private static final List<String> NAMES = List.of(
             "copernicus",

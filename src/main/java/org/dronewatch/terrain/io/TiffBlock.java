@@ -13,13 +13,14 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /**
  * Decodes the strips or tiles of a TIFF file one at a time with TwelveMonkeys ImageIO: each is handed over as a small
- * TIFF file of a single strip. So only what is needed is decoded, a missing tile is a hole and not an error, and
+ * TIFF file of a single strip. Thus only what is needed is decoded, a missing tile is a hole and not an error, and
  * nothing else that a damaged file may state reaches the library.
  *
- * @param order in which the file has the bytes of a number
- * @param bits of a sample: 8, 16, 32 or 64
- * @param format of a sample: 1 unsigned, 2 signed, 3 real
- * @param compression and predictor by their TIFF numbers
+ * @param order byte order of the file
+ * @param bits number of bits in a sample: 8, 16, 32 or 64
+ * @param format format of a sample: 1 unsigned, 2 signed, 3 real
+ * @param compression compression, by its number in TIFF
+ * @param predictor predictor, by its number in TIFF
  */
 record TiffBlock(ByteOrder order, int bits, int format, int compression, int predictor) {
     private static final int SHORT = 3;

@@ -11,8 +11,8 @@ import org.dronewatch.setting.InputException;
 
 /**
  * The tags of the first image of a TIFF or BigTIFF file (TIFF revision 6.0, Adobe 1992; BigTIFF design, libtiff). Their
- * values are read when they are asked for. Everything that a file states is checked against its length before memory is
- * taken.
+ * values are read when they are asked for. Everything that a file states is checked against the length of the file
+ * before memory is allocated.
  */
 final class TiffDirectory {
     private static final int CLASSIC = 42;

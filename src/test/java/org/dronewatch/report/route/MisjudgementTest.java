@@ -77,7 +77,7 @@ class MisjudgementTest {
         assertThat(Misjudgement.tooLate(early, 0.0)).isEmpty();
     }
 
-    /** Half of the flights are surely detected, all of which a sensor that looked all the time would detect. */
+    /** Half of the flights are certain to be detected, all of which a sensor that looked all the time would detect. */
     @Test
     void slowLooksMissWhatLooksAtAnyMomentWouldDetect() {
         SectorRoute inTime = route(20.0, 20.0, 10.0, 40.0, false);

@@ -72,7 +72,7 @@ class RouteNotesTest extends RouteSamples {
         assertThat(new RouteNotes(cued).notes(kept)).noneMatch(note -> note.endsWith("count as cued."));
     }
 
-    /** Half of the flights are surely detected in time, and half of them surely not. */
+    /** Half of the flights are certain to be detected in time, and half of them are certain not to be. */
     @Test
     void namesTheScanWhereItIsTheCause() {
         SectorRoute scan =
@@ -184,7 +184,7 @@ class RouteNotesTest extends RouteSamples {
         assertThat(warning(route)).contains("'slow' may look at any moment, whereas it looks only every 5 s");
     }
 
-    /** The search takes the drone for surely detected by one of two slow sensors, whose looks all miss it. */
+    /** The search takes the drone to be certain of detection by one of two slow sensors, whose looks all miss it. */
     @Test
     void namesASensorThatMissesWhatTheSearchExpects() {
         Map<String, Double> looks = new LinkedHashMap<>();

@@ -246,7 +246,7 @@ class ClosedFormTest {
 
     /**
      * K/d^2 on the unit circle, by 90 degrees, with a limited length: E = pi/2 at L = pi/2. A price of time gives a
-     * lower bound of it for any price, the best for the right one (weak duality).
+     * lower bound on it for any price, the best for the right one (weak duality).
      */
     @Test
     void aPriceOfTimeBoundsTheExposureOfShortRoutes() {

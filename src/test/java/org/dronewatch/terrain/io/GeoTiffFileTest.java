@@ -224,7 +224,7 @@ class GeoTiffFileTest {
     void whatIsNoElevationIsRefused() throws IOException {
         refused(fixture -> fixture.lies.put(277, 3L), "3 bands", "gdal_translate -b 1");
         refused(fixture -> fixture.lies.put(258, 12L), "12 bits");
-        refused(fixture -> fixture.scale = new double[0], "no georeference");
+        refused(fixture -> fixture.scale = new double[0], "no georeferencing");
         refused(fixture -> fixture.scale = new double[] {0, 10, 0}, "spans no area");
         refused(fixture -> fixture.scale = new double[] {Double.NaN, 10, 0}, "spans no area");
         refused(fixture -> fixture.keys.put(4099, 9036), "unit 9036");
