@@ -58,6 +58,16 @@ final class Cone {
     }
 
     /**
+     * Whether a direction of any length lies within a corner's cone, rather than on its border or outside.
+     *
+     * @param margin angle from the border up to which directions count as on it, rad, small
+     */
+    boolean contains(double u, double v, double margin) {
+        double least = margin * Math.hypot(u, v);
+        return firstU * v - firstV * u > least && u * lastV - v * lastU > least;
+    }
+
+    /**
      * The angle by which the outline bends at a corner: 0 for a straight outline, pi for the edge of a sheet.
      */
     double bend() {

@@ -13,8 +13,8 @@ import org.dronewatch.world.World;
 
 /**
  * Finds the edges close to an unobstructed line of sight that would obstruct the line if it passed on their other side.
- * Only bends in the outline of an obstacle are edges: seams in flat surfaces and valleys are not. For use by one
- * thread.
+ * Only bends in the outline of an obstacle are edges: seams in flat surfaces are not, nor are valleys, such as the
+ * base of a wall on the ground. For use by one thread.
  */
 public final class NearEdges {
     /**
@@ -40,6 +40,7 @@ public final class NearEdges {
     private final EllipsoidQuery query;
     private final ArcSight sight;
     private final Cone cone = new Cone();
+    private final EdgeNeighbours neighbours;
     private final double[] normal = new double[3];
     private double curvature;
 
@@ -48,6 +49,7 @@ public final class NearEdges {
         this.mesh = world.mesh();
         this.query = new EllipsoidQuery(world.tree());
         this.sight = new ArcSight(world);
+        this.neighbours = new EdgeNeighbours(world);
     }
 
     /**
@@ -194,14 +196,22 @@ public final class NearEdges {
             double sign = Math.copySign(1.0 / length, into);
             cone.add(sign * along.dot(ahead), sign * along.dot(side));
         }
-        if (!cone.isCorner()
-                || isOnNearSide(cone.firstU(), cone.firstV(), u, v, straight)
-                || isOnNearSide(cone.lastU(), cone.lastV(), u, v, straight)
-                || isOnNearSide(cone.middleU(), cone.middleV(), u, v, straight)) {
+        if (!mayObstruct(u, v, straight)) {
             return 0.0;
         }
+        fold = Math.min(fold, neighbours.widen(cone, ofMesh, ahead, side, triangles.get(0)));
         // In a plane nearly coplanar with a surface, rounded coordinates show as bends of that surface.
-        return Math.min(fold, cone.bend());
+        return mayObstruct(u, v, straight) ? Math.min(fold, cone.bend()) : 0.0;
+    }
+
+    /** Whether the surfaces at an edge, as far as they are known, leave the line free but not its other side. */
+    private boolean mayObstruct(double u, double v, double straight) {
+        return cone.isCorner()
+                && !cone.contains(-u, -v, TOUCHING)
+                && !cone.contains(straight - u, -v, TOUCHING)
+                && !isOnNearSide(cone.firstU(), cone.firstV(), u, v, straight)
+                && !isOnNearSide(cone.lastU(), cone.lastV(), u, v, straight)
+                && !isOnNearSide(cone.middleU(), cone.middleV(), u, v, straight);
     }
 
     /** The direction from an edge into a triangle, perpendicular to the edge. */
