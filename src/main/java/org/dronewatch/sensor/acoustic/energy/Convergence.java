@@ -23,6 +23,9 @@ final class Convergence {
     /** A ray that contributes more than this fraction of what is heard is appreciable. */
     private static final double APPRECIABLE_RAY = 0.1;
 
+    /** In an enclosed space, no ray that happens to pass may contribute more than this fraction of what is heard. */
+    private static final double STRONG_PASSING = 0.01;
+
     /**
      * With fewer effective contributions than this, their scatter is not known, unless even the strongest is less than
      * the reciprocal of this of what is heard.
@@ -106,6 +109,7 @@ final class Convergence {
     boolean isAccurate(int quantity, double heard, double accuracy) {
         return heard > 0.0
                 && hasPassedWalls()
+                && tally.rays() * STRONG_PASSING * heard >= missed.passing(quantity)
                 && drawnError(quantity, heard) < accuracy
                 && (isInsignificant(quantity, heard) ? hasShownMost(quantity, heard) : isEnough(quantity));
     }
@@ -125,7 +129,8 @@ final class Convergence {
      * @param heard the sum of exact paths and rays, greater than 0
      */
     double mostNeeded(int quantity, double heard) {
-        return missed.contribution(quantity) / (APPRECIABLE_RAY * heard);
+        return Math.max(missed.contribution(quantity) / APPRECIABLE_RAY, missed.passing(quantity) / STRONG_PASSING)
+                / heard;
     }
 
     /**

@@ -52,9 +52,6 @@ final class EndSearch {
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
     private static final int MOST_EXTRA = 6;
 
-    /** A wall is beside both ends if neither is farther from its plane than this, m. */
-    private static final double BESIDE = 2.0;
-
     /** Maximum number of image sources from which those that join scattered sound to an end are chosen. */
     private static final int MOST_CANDIDATES = 200;
 
@@ -64,11 +61,18 @@ final class EndSearch {
     /** Where less than this fraction of them does, as in a courtyard, the space is sheltered. */
     private static final double SHELTERED = 0.8;
 
+    /**
+     * In an enclosed space, roulette begins below this fraction of the energy that the first few surfaces leave: rays
+     * in rooms that absorb much have to be followed to fainter energies, at little cost.
+     */
+    private static final double FAINT = 0.5;
+
     private static final int SAMPLES = 64;
     private static final int SAMPLES_OF_SHELTER = 256;
     private static final int SCATTERINGS = 3;
 
     private final int maxOrder;
+    private final double roulette;
     private final Position sensor;
     private final WallPlanes planes;
     private final ImageSourceSearch search;
@@ -87,6 +91,7 @@ final class EndSearch {
     EndSearch(
             EnergyModel model, Position sensor, double radius, World world, WallPlanes planes, BandSurfaces surfaces) {
         this.maxOrder = model.imageSourceOrder();
+        this.roulette = model.roulette();
         double ofOneRay = 1.0 / (Math.min(model.rays(), MOST_RAYS) * Math.PI * radius * radius);
         this.sensor = sensor;
         this.planes = planes;
@@ -152,8 +157,8 @@ final class EndSearch {
         End fromHere = sensor(isToShelter, direct);
         ImageSources fromSensor = worthwhile.among(fromHere.pure(), sensor, drone, guess);
         if (escapedOfSource <= OPEN && escapedOfSensor <= OPEN) {
-            int[] beside = beside(drone, firstWalls(fromHere));
-            exact.find(source, sensor, fromSensor, ImageSources.NONE, new int[0], beside, curvature);
+            int[] first = firstWalls(fromHere).toArray();
+            exact.find(source, sensor, fromSensor, ImageSources.NONE, first, new int[0], curvature);
             return enclosed(source, fromSensor, exact, guess, curvature, samplesOfSource);
         }
         End fromThere = end(drone, fromHere.rays(), samplesOfSource, direct);
@@ -161,18 +166,10 @@ final class EndSearch {
         int[] extra = IntStream.concat(firstWalls(fromHere), firstWalls(fromThere))
                 .distinct()
                 .toArray();
-        int[] beside = beside(drone, Arrays.stream(extra));
-        exact.find(source, sensor, fromSensor, fromSource, extra, beside, curvature);
+        exact.find(source, sensor, fromSensor, fromSource, extra, extra, curvature);
         return escapedOfSource < Math.min(SHELTERED, escapedOfSensor)
                 ? between(source, true, fromThere, fromSource, fromHere, fromSensor, exact, curvature)
                 : between(source, false, fromHere, fromSensor, fromThere, fromSource, exact, curvature);
-    }
-
-    /** Of some walls, those beside both ends. */
-    private int[] beside(Position drone, IntStream walls) {
-        return walls.filter(wall -> Math.abs(planes.height(wall, drone.x(), drone.y(), drone.z())) < BESIDE
-                        && Math.abs(planes.height(wall, sensor.x(), sensor.y(), sensor.z())) < BESIDE)
-                .toArray();
     }
 
     private static IntStream firstWalls(End end) {
@@ -191,10 +188,13 @@ final class EndSearch {
         End fromHere = sensor(true, rough.through(drone, sensor));
         ImageSources fromSensor = worthwhile.among(fromHere.pure(), sensor, drone, guess);
         int[] extra = firstWalls(fromHere).toArray();
-        int[] beside = beside(drone, Arrays.stream(extra));
-        exact.find(source, sensor, fromSensor, ImageSources.NONE, extra, beside, curvature);
+        exact.find(source, sensor, fromSensor, ImageSources.NONE, extra, extra, curvature);
     }
 
+    /**
+     * The ends in an enclosed space. If only strong rays survived there, a few that happen to pass the source would
+     * decide what is heard.
+     */
     private Ends enclosed(
             SoundSource source,
             ImageSources fromSensor,
@@ -218,6 +218,7 @@ final class EndSearch {
                 known,
                 curvature,
                 false,
+                Math.min(roulette, FAINT * (samplesOfSensor.left() + samplesOfSource.left()) / 2.0),
                 scatterers(samplesOfSensor, samplesOfSource));
     }
 
@@ -273,6 +274,7 @@ final class EndSearch {
                 known,
                 curvature,
                 true,
+                roulette,
                 scatterers(start.samples(), target.samples()));
     }
 

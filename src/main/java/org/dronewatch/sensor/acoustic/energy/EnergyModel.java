@@ -27,7 +27,7 @@ import org.dronewatch.world.World;
  * @param accuracy tracing stops once the statistical part of the standard error of the level is below this, 0 to 10
  *     dB; with 0, all rays are traced
  * @param roulette fraction of a ray's initial energy below which Russian roulette decides whether the ray survives,
- *     above 0 and below 1
+ *     above 0 and below 1; in enclosed spaces, it is at most half the fraction that three surfaces leave on average
  * @param maxOrder maximum number of surfaces that a ray may hit before it is dropped, 0 to 10,000
  * @param imageSourceOrder order up to which purely specular paths are computed exactly, 1 to 50: all paths with one
  *     reflection, and those with several if rays from the microphone or from the drone find the surfaces

@@ -21,7 +21,7 @@ final class EnergyPacket {
     private final double[] energy = new double[BANDS];
     private final double[] scattered = new double[BANDS];
 
-    private double first;
+    private double faint;
 
     EnergyPacket(EnergyModel model, BandSurfaces surfaces, Air air, EnergyLedger ledger) {
         this.model = model;
@@ -39,7 +39,8 @@ final class EnergyPacket {
         for (int band = 0; band < BANDS; band++) {
             energy[band] = ends.source().fraction(band);
         }
-        first = all();
+        double first = all();
+        faint = ends.roulette() * first;
         if (ends.isFromSource()) {
             for (int band = 0; band < BANDS; band++) {
                 energy[band] *= ends.startFactor(band, rise);
@@ -159,7 +160,7 @@ final class EnergyPacket {
      */
     boolean playRoulette(RandomGenerator random) {
         double left = all();
-        if (left >= model.roulette() * first) {
+        if (left >= faint) {
             return true;
         }
         if (left == 0.0 || random.nextDouble() >= SURVIVAL) {

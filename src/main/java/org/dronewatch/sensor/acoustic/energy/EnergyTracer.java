@@ -79,7 +79,7 @@ public final class EnergyTracer {
         this.pressure = model.pressure() == EnergyModel.Pressure.PHYSICAL
                 ? world.atmosphere().impedance() / REFERENCE_IMPEDANCE
                 : 1.0;
-        this.missed = new MissedRays(surfaces);
+        this.missed = new MissedRays(radius, surfaces);
         this.exact = new ExactPaths(model, world, planes, surfaces, air);
         this.tally = new EnergyTally(air);
         this.convergence = new Convergence(tally, missed);

@@ -51,8 +51,8 @@ final class ExactPaths {
      *
      * @param ofSensor image sources of the sensor
      * @param ofSource image sources of the source
+     * @param first walls that rays from the ends hit first
      * @param extra walls that a path may hit besides those of an image source
-     * @param beside walls beside both ends
      * @param curvature of the paths of sound
      */
     void find(
@@ -60,8 +60,8 @@ final class ExactPaths {
             Position sensor,
             ImageSources ofSensor,
             ImageSources ofSource,
+            int[] first,
             int[] extra,
-            int[] beside,
             PathCurvature curvature) {
         direct.clear();
         diffracted.clear();
@@ -87,7 +87,7 @@ final class ExactPaths {
         }
         specular.begin(source, sensor, curvature);
         specular.addTo(mirrored, ofSensor, ofSource);
-        specular.addAlong(mirrored, beside, model.imageSourceOrder());
+        specular.addAlong(mirrored, first, model.imageSourceOrder());
         specular.addNeighbours(mirrored, extra, model.imageSourceOrder());
         ground.addTo(direct, mirrored, source, sensor);
     }

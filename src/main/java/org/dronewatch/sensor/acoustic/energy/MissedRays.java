@@ -16,8 +16,12 @@ import org.dronewatch.sound.OctaveBands;
  * lies, the sum in brackets is not below the square of the distance between the ends. E is that of the materials that a
  * few rays from either end meet. Each end may have image sources near it: the allowance is for one end over ground and
  * the other one in a corner of ground and wall, which makes {@value #PATHS} paths. It is not a bound on what a ray can
- * contribute: more image sources, several scatterings and the directivity of the source may add to it. For use by one
- * thread.
+ * contribute: more image sources, several scatterings and the directivity of the source may add to it.
+ *
+ * <p>In an enclosed space, sound that reaches the target by specular reflections is counted only in rays that happen to
+ * pass the target, except over the image sources that were found. A ray that passes contributes its energy over the
+ * cross-section of the sphere around the target; the faintest have about the energy at which roulette begins. For use
+ * by one thread.
  */
 final class MissedRays {
     private static final int BANDS = OctaveBands.COUNT;
@@ -28,16 +32,29 @@ final class MissedRays {
     /** Two places in which the one end is heard, four for the other one. */
     private static final int PATHS = 8;
 
-    private final BandSurfaces surfaces;
-    private final double[] allowances = new double[BANDS + 1];
+    /** A ray that passes the target early is taken to contribute this many times as much as the faintest. */
+    private static final double STRONGER = 4.0;
 
-    MissedRays(BandSurfaces surfaces) {
+    private final BandSurfaces surfaces;
+    private final double crossSection;
+    private final double[] allowances = new double[BANDS + 1];
+    private final double[] passing = new double[BANDS + 1];
+
+    /**
+     * Rays in a world.
+     *
+     * @param radius of the sphere in which passing rays are counted, m
+     */
+    MissedRays(double radius, BandSurfaces surfaces) {
         this.surfaces = surfaces;
+        this.crossSection = Math.PI * radius * radius;
     }
 
     /** Prepares for one look. */
     void between(Ends ends) {
         Arrays.fill(allowances, 0.0);
+        Arrays.fill(passing, 0.0);
+        double ofPassing = ends.isOpen() ? 0.0 : ends.roulette() / crossSection;
         double distance = Math.max(NEAREST, ends.start().distance(ends.target()));
         for (int band = 0; band < BANDS; band++) {
             double scattered = 0.0;
@@ -46,7 +63,9 @@ final class MissedRays {
                         Math.max(scattered, surfaces.reflected(material, band) * surfaces.scattered(material, band));
             }
             double once = scattered / (Math.PI * distance * distance);
-            allowances[band] = PATHS * ends.source().fraction(band) * once;
+            passing[band] = ends.source().fraction(band) * ofPassing;
+            allowances[band] = Math.max(ends.source().fraction(band) * PATHS * once, STRONGER * passing[band]);
+            passing[EnergyTally.A_WEIGHTED] += EnergyTally.aWeight(band) * passing[band];
             allowances[EnergyTally.A_WEIGHTED] += EnergyTally.aWeight(band) * allowances[band];
         }
     }
@@ -58,5 +77,15 @@ final class MissedRays {
      */
     double contribution(int quantity) {
         return allowances[quantity];
+    }
+
+    /**
+     * What a faint ray that happens to pass the target contributes to the sum over all rays, as intensity over the
+     * source's power, 1/m2; 0 where paths to the target are connected.
+     *
+     * @param quantity a band or {@link EnergyTally#A_WEIGHTED}
+     */
+    double passing(int quantity) {
+        return passing[quantity];
     }
 }

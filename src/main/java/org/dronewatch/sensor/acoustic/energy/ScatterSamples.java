@@ -25,6 +25,9 @@ final class ScatterSamples {
 
     private static final double FAINT = 1e-3;
 
+    /** A ray that has left the site. */
+    private static final double ESCAPED = -1.0;
+
     private final World world;
     private final WallPlanes planes;
     private final Normals normals;
@@ -66,9 +69,10 @@ final class ScatterSamples {
      * @param points where its rays were scattered
      * @param rays how many rays left it
      * @param escaped the fraction of them that left the site
+     * @param left the mean fraction of their energy that is left after the last surface, 0 for those that left the site
      * @param materials the materials of the surfaces that scattered them
      */
-    record Samples(List<Sample> points, int rays, double escaped, Set<Integer> materials) {}
+    record Samples(List<Sample> points, int rays, double escaped, double left, Set<Integer> materials) {}
 
     /**
      * Samples of a point.
@@ -81,23 +85,26 @@ final class ScatterSamples {
         List<Sample> samples = new ArrayList<>();
         Set<Integer> materials = new TreeSet<>();
         int escaped = 0;
+        double all = 0.0;
         for (int i = 0; i < rays; i++) {
             Directions.ofLattice(i, rays, ray);
             ray.originX = point.x();
             ray.originY = point.y();
             ray.originZ = point.z();
-            escaped += follow(random, most, samples, materials) ? 1 : 0;
+            double left = follow(random, most, samples, materials);
+            escaped += left < 0.0 ? 1 : 0;
+            all += Math.max(0.0, left);
         }
-        return new Samples(List.copyOf(samples), rays, (double) escaped / rays, Set.copyOf(materials));
+        return new Samples(List.copyOf(samples), rays, (double) escaped / rays, all / rays, Set.copyOf(materials));
     }
 
-    /** Follows the ray; returns whether it left the site. */
-    private boolean follow(SplittableRandom random, int most, List<Sample> samples, Set<Integer> materials) {
+    /** Follows the ray; returns the fraction of its energy that is left, or {@link #ESCAPED}. */
+    private double follow(SplittableRandom random, int most, List<Sample> samples, Set<Integer> materials) {
         double left = 1.0;
         int times = 0;
         while (times < most && left > FAINT) {
             if (!ray.meets(tracer)) {
-                return true;
+                return ESCAPED;
             }
             normals.facing(tracer.triangle(), ray, normal);
             ray.advance(tracer.distance());
@@ -119,6 +126,6 @@ final class ScatterSamples {
             }
             times++;
         }
-        return false;
+        return left;
     }
 }

@@ -37,6 +37,9 @@ final class SpecularPaths {
     /** The greatest distance by which ends are kept off surfaces, m. */
     private static final double MOST_OFF = 0.05;
 
+    /** A wall is beside an end no farther from its plane than this, m. */
+    private static final double BESIDE = 2.0;
+
     private final WallPlanes planes;
     private final Air air;
     private final GroundReflection ground;
@@ -137,10 +140,13 @@ final class SpecularPaths {
      * wall first, unless they run along it, and so miss these paths, which carry as much sound as those that run along
      * it.
      *
-     * @param beside the walls beside both ends
+     * @param first walls that rays from the ends hit first: those beside both ends are among them
      * @param maxOrder maximum number of walls of a path
      */
-    void addAlong(FoundPaths paths, int[] beside, int maxOrder) {
+    void addAlong(FoundPaths paths, int[] first, int maxOrder) {
+        int[] beside = Arrays.stream(first)
+                .filter(wall -> isBeside(wall, source.position()) && isBeside(wall, sensor))
+                .toArray();
         List<int[]> known = new ArrayList<>(singles);
         known.addAll(found);
         for (int[] walls : known) {
@@ -150,6 +156,10 @@ final class SpecularPaths {
                 }
             }
         }
+    }
+
+    private boolean isBeside(int wall, Position end) {
+        return Math.abs(planes.height(wall, end.x(), end.y(), end.z())) < BESIDE;
     }
 
     /**

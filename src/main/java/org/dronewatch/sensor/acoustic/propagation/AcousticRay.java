@@ -13,7 +13,12 @@ public final class AcousticRay {
     /** The medium of rays in air. */
     public static final int AIR = -1;
 
-    private static final double STAND_OFF = 1e-9;
+    /**
+     * How far rays begin from the surface that they leave, as a fraction of the origin's coordinates: above the
+     * rounding error of a mesh's coordinates, which have single precision; otherwise rays pass through oblique walls.
+     * Faces are taken to coincide at greater distances than this.
+     */
+    private static final double STAND_OFF = 1e-7;
 
     /** The x coordinate of the origin, m. */
     public double originX;
@@ -66,7 +71,7 @@ public final class AcousticRay {
     }
 
     /**
-     * Moves the ray's origin off a surface, by more than the rounding error of its coordinates.
+     * Moves the ray's origin off a surface, by more than the rounding error of the surface's coordinates.
      *
      * @param normal unit normal of the surface
      * @param side 1 for the side to which the normal points, -1 for the opposite side

@@ -25,13 +25,15 @@ class ConvergenceTest {
     private static final int BAND = 4;
     private static final double ACCURACY = 0.2;
     private static final double FLOOR = 0.005;
+    private static final double ROULETTE = 0.1;
+    private static final double RADIUS = 0.5;
 
     /** So far apart that hardly anything is allowed for rays that were not drawn, m. */
     private static final double FAR = 1e9;
 
     private final EnergyTally tally = new EnergyTally(new Air(Atmosphere.STANDARD));
-    private final MissedRays missed =
-            new MissedRays(new BandSurfaces(List.of(SurfaceMaterial.uniform("half", 0.2, 0.5), wall("full", 1.0))));
+    private final MissedRays missed = new MissedRays(
+            0.5, new BandSurfaces(List.of(SurfaceMaterial.uniform("half", 0.2, 0.5), wall("full", 1.0))));
     private final Convergence convergence = new Convergence(tally, missed);
 
     private static SurfaceMaterial wall(String name, double scattering) {
@@ -57,6 +59,10 @@ class ConvergenceTest {
     }
 
     private void between(double distance, Set<Integer> scatterers) {
+        between(distance, scatterers, true);
+    }
+
+    private void between(double distance, Set<Integer> scatterers, boolean isOpen) {
         ImageSources none = ImageSources.NONE;
         SoundSource source = Sites.sound(new Position(distance, 0, 0), BAND);
         missed.between(new Ends(
@@ -70,8 +76,27 @@ class ConvergenceTest {
                 none,
                 0,
                 PathCurvature.NONE,
-                true,
+                isOpen,
+                ROULETTE,
                 scatterers));
+    }
+
+    /**
+     * In an enclosed space, paths of specular reflections that no image source leads to are heard only in rays that
+     * happen to pass: a look does not end before one of them is weak, and allows for one, even if nothing scatters.
+     */
+    @Test
+    void inAnEnclosedSpaceARayThatPassesIsWeak() {
+        between(FAR, Set.of(), false);
+        double passing = ROULETTE / (Math.PI * RADIUS * RADIUS);
+        double heard = passing / (2000.5 * 0.01);
+        trace(2000, 2000, heard);
+        assertThat(convergence.isAccurate(BAND, heard, ACCURACY)).isFalse();
+        trace(2001, 2001, heard);
+        assertThat(convergence.isAccurate(BAND, heard, ACCURACY)).isTrue();
+        assertThat(convergence.error(BAND, heard)).isGreaterThan(0.005 / Math.sqrt(3) * 10 / Math.log(10));
+        between(FAR, Set.of(), true);
+        assertThat(convergence.error(BAND, heard)).isLessThan(0.005);
     }
 
     /** One over the root of the number of contributions, as of a binomial of low probability, and half of one more. */

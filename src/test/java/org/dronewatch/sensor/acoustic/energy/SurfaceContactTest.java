@@ -8,7 +8,10 @@ import static org.dronewatch.sensor.acoustic.energy.Sites.LW;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.UnaryOperator;
+import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.sound.surface.SurfaceMaterials;
@@ -208,5 +211,36 @@ class SurfaceContactTest {
         return new EnergyTracer(EnergyModel.DEFAULT, microphone, 0.5, world)
                 .trace(Sites.broadband(drone), new SplittableRandom(1), RayRecorder.NONE)
                 .totalLevel();
+    }
+
+    /** Walls that reach into the ground, far from the origin and in any attitude, where coordinates are rounded. */
+    @Test
+    void inNoAttitudeDoesSoundLeakOutOfASealedHouse() {
+        TriangleMesh house = World.merge(List.of(
+                Sites.square(100, 0),
+                Sites.wall(0, 0, 0, 5, -0.5, 3),
+                Sites.wall(0, 6, 0, 5, -0.5, 3),
+                Sites.wall(1, 0, -0.5, 3, 0, 6),
+                Sites.wall(1, 5, -0.5, 3, 0, 6),
+                Sites.wall(2, 3, 0, 6, 0, 5)));
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int i = 0; i < LongForm.count(12, 100); i++) {
+            UnaryOperator<Position> turned = Sites.attitude(random);
+            Position away = new Position(random.nextDouble(-100, 100), random.nextDouble(-100, 100), 20);
+            UnaryOperator<Position> by = place -> turned.apply(place).plus(away);
+            World site = Sites.world(Sites.turned(house, by), SurfaceMaterial.uniform("wall", 0.1, 0.2));
+            Position inside = by.apply(new Position(3, 2, 1));
+            for (double off : new double[] {2e-4, 1e-3, 1e-2}) {
+                for (double height : new double[] {0, 1e-3, 1}) {
+                    Position outside = by.apply(new Position(3, -off, height));
+                    assertThat(broadbandLevel(site, inside, outside))
+                            .as("%s m off the wall and %s m high, attitude %d of seed %d", off, height, i, SEED)
+                            .isEqualTo(Double.NEGATIVE_INFINITY);
+                    assertThat(broadbandLevel(site, outside, inside))
+                            .as("%s m off the wall and %s m high, attitude %d of seed %d", off, height, i, SEED)
+                            .isEqualTo(Double.NEGATIVE_INFINITY);
+                }
+            }
+        }
     }
 }
