@@ -18,7 +18,7 @@ import org.dronewatch.sensor.radar.LinkBudget.DataSheet;
 import org.dronewatch.sensor.radar.RadarDetection;
 import org.dronewatch.sensor.radar.RadarSettings;
 
-/** A hill with a radar, known by its data sheet, and a microphone, and the report of a run. */
+/** A hill with a microphone and a radar that is specified by its data sheet, and the report of a run. */
 public class FieldWatch extends Scene {
     private static final long serialVersionUID = 1L;
 

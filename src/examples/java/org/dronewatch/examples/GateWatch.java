@@ -8,7 +8,7 @@ import org.dronewatch.scenario.RunSettings;
 import org.dronewatch.scene.Scene;
 import org.dronewatch.sensor.camera.CameraSettings;
 
-/** A house on a hill whose roof camera watches the way to its gate. */
+/** A house on a hill whose roof camera watches the path to its gate. */
 public class GateWatch extends Scene {
     private static final Position HOUSE = new Position(0, 0, 132);
     private static final Position GATE = new Position(0, 45, 133);

@@ -27,8 +27,8 @@ class GuardKindTest {
     }
 
     /**
-     * In a process of its own, whose class path names the kind as a jar would. A drone of 0.70 m subtends 0.2 degrees
-     * at 202 m; the guard looks once a second, while the drone flies 20 m.
+     * In a separate process, whose class path names the kind as a jar would. A drone of 0.70 m subtends 0.2 degrees at
+     * 202 m; the guard looks once a second, while the drone flies 20 m.
      */
     @Test
     void aSceneFileChoosesAGuard() throws IOException, InterruptedException {

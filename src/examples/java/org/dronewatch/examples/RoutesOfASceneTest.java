@@ -88,14 +88,14 @@ class RoutesOfASceneTest {
         }
         for (int sector = 1; sector < SiteRoutes.SECTORS; sector += 2) {
             assertThat(routes.from(sector).orElseThrow().exposure())
-                    .as("from the corner in sector %d, on a longer way", sector)
+                    .as("from the corner in sector %d, on a longer route", sector)
                     .isBetween(1.03 * expected, 1.2 * expected);
         }
     }
 
     /**
      * A thousand flights, which begin at eight moments of the lookout's period in turn, detect the drone as often as
-     * the product over the looks says.
+     * the product over the looks predicts.
      */
     @Test
     void theFlightsAgreeWithThePrediction() {

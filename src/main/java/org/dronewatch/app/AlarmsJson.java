@@ -13,7 +13,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** What {@code alarms} prints for programs. Rates may be tiny, and are therefore not rounded. */
+/** The JSON that {@code alarms} prints for programs. Rates may be tiny, and are therefore not rounded. */
 final class AlarmsJson {
     private AlarmsJson() {}
 

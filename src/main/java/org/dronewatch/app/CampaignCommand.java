@@ -166,9 +166,9 @@ final class CampaignCommand implements Callable<Integer> {
     }
 
     /**
-     * Where results come from.
+     * The origin of the results.
      *
-     * @param command the arguments of the command line that gives them
+     * @param command the arguments of the command line that produces them
      */
     ObjectNode provenance(CampaignPlan plan, List<String> command) {
         return CampaignOrigin.of(plan, Optional.of(PathWord.of("campaign file", file)), command, threads.number());
@@ -187,7 +187,7 @@ final class CampaignCommand implements Callable<Integer> {
         }
     }
 
-    /** What runs a case of this campaign again, without {@code --case} and its number. */
+    /** The command that runs a case of this campaign again, without {@code --case} and its number. */
     String caseCommand() {
         StringBuilder words = new StringBuilder("dronewatch campaign ").append(ShellWord.of(file));
         overrides.forEach(one -> words.append(" --set ").append(ShellWord.of(one)));

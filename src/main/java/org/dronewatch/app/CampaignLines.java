@@ -25,7 +25,7 @@ import org.dronewatch.report.campaign.CampaignWords;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.statistics.Proportion;
 
-/** What the command {@code campaign} prints. */
+/** Prints the results of the command {@code campaign}, line by line. */
 final class CampaignLines {
     private static final double CONFIDENCE = 0.95;
     private static final double PERCENT = 100.0;

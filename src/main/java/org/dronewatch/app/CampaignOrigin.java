@@ -13,15 +13,15 @@ import org.dronewatch.scenario.InputFiles;
 import org.dronewatch.setting.input.FileHash;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Where the results of a campaign come from. */
+/** The origin of a campaign's results. */
 final class CampaignOrigin {
     private CampaignOrigin() {}
 
     /**
      * The contents of {@code provenance.json}.
      *
-     * @param file of the campaign, if there is one
-     * @param command the arguments of the command line that gives the results
+     * @param file campaign file, if there is one
+     * @param command the arguments of the command line that produces the results
      */
     static ObjectNode of(CampaignPlan plan, Optional<Path> file, List<String> command, int threads) {
         List<FileHash> files = new ArrayList<>();

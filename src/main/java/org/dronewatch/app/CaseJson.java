@@ -8,7 +8,7 @@ import org.dronewatch.report.file.Numbers;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** What {@code campaign --case} and {@code compare --case} print for programs. */
+/** The JSON that {@code campaign --case} and {@code compare --case} print for programs. */
 final class CaseJson {
     private CaseJson() {}
 

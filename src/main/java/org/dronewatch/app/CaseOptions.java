@@ -44,7 +44,7 @@ final class CaseOptions {
     /**
      * Whether a single case is asked for.
      *
-     * @throws InputException when another option needs one
+     * @throws InputException when none is asked for although another option needs one
      */
     boolean isAsked() {
         if (number == null && (view || picture != null || variant != null)) {

@@ -10,16 +10,16 @@ import org.dronewatch.campaign.CaseExecution;
 /**
  * Runs cases and shows their progress until all are done or the user wants to stop.
  *
- * @param interruption knows what the user wants
+ * @param interruption reports whether the user wants to stop
  * @param shown shows their progress
- * @param execution where they are run
+ * @param execution runs them, on this machine or elsewhere
  */
 record CaseRuns(Interruption interruption, TaskProgress shown, CaseExecution execution) {
     /**
      * Runs the cases that are missing.
      *
-     * @param name for the progress
-     * @return whether all were run: if not, complete chunks are kept
+     * @param name name of the cases in the display of progress
+     * @return whether all were run; if not, the chunks that are complete are kept
      */
     boolean run(CampaignRun run, CampaignRun.Chunks kept, String name) {
         try (CaseProgress progress = shown.cases(name, run.size())) {

@@ -15,7 +15,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** What {@code list} prints for programs. */
+/** The JSON that {@code list} prints for programs. */
 final class CatalogueJson {
     private CatalogueJson() {}
 

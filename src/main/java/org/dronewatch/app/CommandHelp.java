@@ -11,7 +11,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
-/** What the help of each command says beside its options: the exit codes, and examples that can be typed as shown. */
+/** What the help of each command says besides its options: the exit codes, and examples that can be typed as shown. */
 final class CommandHelp {
     private static final String FAILED = "internal error, or out of memory";
 

@@ -9,7 +9,7 @@ import picocli.CommandLine;
 
 /**
  * The commands of the program, in the order of the help. Reading the annotations of all of them takes longer than
- * starting Java, so only the one that is given is read where no other is needed.
+ * starting Java, so only those of the given command are read, unless others are needed.
  */
 final class Commands {
     private static final Map<String, Class<?>> ALL = all();
@@ -52,8 +52,8 @@ final class Commands {
     }
 
     /**
-     * The program with as many of its commands as these words need: with the one that they give, or with all where they
-     * give none, one that does not exist, or one that is about the others.
+     * The program with only those commands that these words need: the one that they name, or all commands if they name
+     * none, one that does not exist, or one that is about the others.
      */
     static CommandLine program(Main main, List<String> words) {
         // None of the options that may come before a command has a value.

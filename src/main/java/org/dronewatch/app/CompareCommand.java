@@ -30,7 +30,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Compares two layouts by the same attacks. */
+/** Compares two layouts under the same attacks. */
 @Command(
         name = "compare",
         mixinStandardHelpOptions = true,

@@ -134,7 +134,7 @@ final class ComparedScenes {
         return stem.substring(0, Math.min(stem.length(), 50)) + suffix;
     }
 
-    /** What runs a case of the comparison again, without {@code --case} and its number. */
+    /** The command that runs a case of the comparison again, without {@code --case} and its number. */
     String caseCommand() {
         StringBuilder words = new StringBuilder("dronewatch compare ").append(ShellWord.of(first));
         if (second != null) {

@@ -10,7 +10,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** Prints what makes a shell complete the program's commands and options. */
+/** Prints the script that makes a shell complete the program's commands and options. */
 @Command(
         name = "completion",
         mixinStandardHelpOptions = true,

@@ -53,7 +53,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParentCommand;
 import picocli.CommandLine.Spec;
 
-/** Finds where the sensors detect a drone, and why not elsewhere; or draws a plan of it at one height. */
+/**
+ * Finds where the sensors detect a drone, and why they do not elsewhere; or draws a plan of the coverage at one height.
+ */
 @Command(
         name = "coverage",
         mixinStandardHelpOptions = true,
@@ -250,7 +252,7 @@ final class CoverageCommand implements Callable<Integer> {
                 .inWords(settings.run().seed(), threads.number());
     }
 
-    /** About the middle of the sensors. */
+    /** The grid of a plan, centred on the sensors. */
     private CoverageGrid planGrid(SceneSettings settings) {
         Position middle = InboundTarget.sensors(settings);
         return new CoverageGrid(
@@ -274,7 +276,7 @@ final class CoverageCommand implements Callable<Integer> {
         });
     }
 
-    /** Where the tables are found that are too long to be printed. */
+    /** Where to find the tables that are too long to be printed. */
     private String report() {
         return out == null
                 ? "--out DIR writes all of them to report.html"

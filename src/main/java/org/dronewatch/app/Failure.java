@@ -6,13 +6,13 @@ import java.util.Locale;
 import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
-/** The message for an error: one line, which says what to do where that is known. */
+/** The message for an error: one line, which says what to do if that is known. */
 final class Failure {
     private static final String MORE_WITH_VERBOSE = "; --verbose shows where";
 
     private Failure() {}
 
-    /** The line; for bad input one for each mistake. */
+    /** The message in one line; for bad input, one line for each mistake. */
     static String message(Throwable problem) {
         if (problem instanceof InputException) {
             return problem.getMessage();

@@ -155,7 +155,7 @@ final class HeightCommand implements Callable<Integer> {
         }
     }
 
-    /** Centimetres, without a sign before zero. */
+    /** A height rounded to centimetres, and never -0. */
     private static double plain(double metres) {
         return Math.round(100.0 * metres) / 100.0;
     }

@@ -123,7 +123,7 @@ final class ListCommand implements Callable<Integer> {
                         FoundKind.originOf(reader.getClass())));
     }
 
-    /** {@code SensorSettings}: "sensor". */
+    /** The name of a type in words: "sensor" for {@code SensorSettings}. */
     static String typeInWords(Class<?> type) {
         return Choices.name(type.getSimpleName().replaceFirst("Settings$", "")).replace('-', ' ');
     }

@@ -102,7 +102,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
             err.println("standard output could not be written completely");
             code = code == 0 ? ExitCode.BAD_INPUT : code;
         }
-        // As soon as the hooks have run, this would end the process at once, with this code.
+        // During a shutdown, this would end the process with this code as soon as the hooks have run.
         if (code != 0 && !Interruption.isUnderWay()) {
             System.exit(code);
         }
@@ -135,7 +135,7 @@ public final class Main implements Runnable, QuietSwitch, StoreSwitch {
         });
         commands.setExecutionExceptionHandler((problem, command, given) -> main.failed(problem, plainErr));
         commands.setExecutionStrategy(parsed -> main.executeParsed(commands, parsed, ready));
-        // Closed only once the last message is out: the end of the process waits no longer than that.
+        // Closed only once the last message is out: until then, and no longer, the end of the process waits.
         try (Interruption watch = new Interruption()) {
             main.interruption = watch;
             int code = main.executed(commands, plainErr, arguments);

@@ -29,7 +29,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Begins a scene of a real place from files of elevations and a map. */
+/** Creates a scene of a real place from elevation files and a map. */
 @Command(
         name = "new",
         mixinStandardHelpOptions = true,

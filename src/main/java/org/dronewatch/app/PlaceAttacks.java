@@ -126,8 +126,8 @@ final class PlaceAttacks {
      * Flies the attacks, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param seed in place of the one in the campaign file
-     * @param overrides of settings of the scene
-     * @param limits of the search
+     * @param overrides overrides of the scene's settings
+     * @param limits limits of the search
      * @return the results with those of the attacks; without them if none are asked for, if they cannot be flown, or
      *     after an interruption or the end of the time
      */
@@ -173,12 +173,12 @@ final class PlaceAttacks {
                         incomplete, attacks, kept.result(), again(plan, seed, overrides, Optional.of(flown)));
     }
 
-    /** The results without all of the attacks: for a user who does not wait, or since the time is up. */
+    /** The results without all of the attacks, because the user does not wait for them or the time is up. */
     private static PlaceResults incomplete(PlaceResults results, SolverLimits limits, Interruption interruption) {
         return interruption.isOutOfTime() ? results.without(LeftOut.ATTACKS, limits) : results;
     }
 
-    /** The scene as a word of a command line: files name it relative to their own directory, commands do not. */
+    /** The scene as an argument of a command: a file names it relative to its own directory, a command does not. */
     private static String scene(PlacePlan plan) {
         String name = plan.settings().scene();
         return SceneFile.isFileName(name)
@@ -187,7 +187,7 @@ final class PlaceAttacks {
     }
 
     /**
-     * The comparison that gives the same figures, in the words that follow the layout.
+     * The comparison that gives the same figures, as the arguments that follow the layout.
      *
      * @param cases number of attacks, in place of the one in the campaign file
      */

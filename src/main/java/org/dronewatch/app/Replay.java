@@ -19,8 +19,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 
 /**
- * A command of a {@code provenance.json} as it may be run again: only what affects the results is taken over, files are
- * written only into the new directory, and no class is loaded by its name.
+ * A command of a {@code provenance.json} as it may be run again: only options that affect the results are kept, files
+ * are written only into the new directory, and no class is loaded by its name.
  */
 final class Replay {
     private static final String RUN = "run";
@@ -63,7 +63,7 @@ final class Replay {
     /**
      * Reads a recorded command.
      *
-     * @param file that states it, for messages
+     * @param file file that records it, for messages
      * @throws InputException when it is not one that can be repeated
      */
     Replay(Path file, RecordedCommand recorded) {
@@ -138,7 +138,7 @@ final class Replay {
         return value;
     }
 
-    /** A setting may name the scene of a variant. */
+    /** Checks a setting, which may name the scene of a variant. */
     private void checkScene(String value) {
         int equals = value.indexOf('=');
         if (equals > 0 && value.substring(0, equals).strip().equals(CampaignSettings.SCENE)) {

@@ -19,7 +19,7 @@ final class RouteWindow {
     /**
      * A window that is not open yet.
      *
-     * @param runner of the scene
+     * @param runner runner of the scene
      */
     RouteWindow(Scene scene, SceneRunner runner, SceneWindow window) {
         this.scene = scene;

@@ -177,7 +177,7 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    /** How far a result goes that was stopped early. */
+    /** How much of the run the results cover if it was stopped early. */
     private static String until(SceneResult result) {
         RunResult last = result.runs().get(result.runs().size() - 1);
         String of = result.runs().size() == 1 ? "" : " of run " + last.run();

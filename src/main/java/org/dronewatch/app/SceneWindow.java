@@ -17,7 +17,7 @@ final class SceneWindow {
     /**
      * A window that is not open yet.
      *
-     * @param threads that run scenes and draw
+     * @param threads number of threads that run scenes and draw
      * @param err receives the reason why there is no window
      * @param notes receives the notes of all runs
      */
@@ -34,7 +34,7 @@ final class SceneWindow {
         return obstacle.isEmpty();
     }
 
-    /** One line for the user. */
+    /** One line that states why there is no window. */
     static String noWindow(String obstacle) {
         return "cannot open a window: " + obstacle + "; 'render' draws pictures without one";
     }
@@ -51,8 +51,8 @@ final class SceneWindow {
     }
 
     /**
-     * Opens the window, as {@link #show(Viewer.Subject, Consumer)}, and runs a second scene for comparison after the
-     * first.
+     * Opens the window as {@link #show(Viewer.Subject, Consumer)} does, and runs a second scene for comparison after
+     * the first.
      *
      * @param beside the second scene; empty for none
      */
@@ -75,7 +75,10 @@ final class SceneWindow {
         }
     }
 
-    /** The runner of another scene that the user opens: as it is described, without the overrides of the first. */
+    /**
+     * The runner of another scene that the user opens: the scene as it is described, without the overrides of the
+     * first.
+     */
     private SceneRunner runner(Scene scene, StorePlace store) {
         return new SceneRunner(scene).store(store).threads(threads);
     }

@@ -5,7 +5,9 @@ import org.dronewatch.report.provenance.ProgramVersion;
 import org.dronewatch.setting.PlainText;
 import picocli.CommandLine.IVersionProvider;
 
-/** What {@code --version} prints: the program, the Java that runs it, and whether vector instructions are used. */
+/**
+ * The text that {@code --version} prints: the program, the Java that runs it, and whether vector instructions are used.
+ */
 final class VersionText implements IVersionProvider {
     @Override
     public String[] getVersion() {

@@ -84,7 +84,7 @@ final class ViewCommand implements Callable<Integer> {
         return new Viewer.Subject(scene, runner, choice.sceneFile());
     }
 
-    /** The scene that is shown beside the first, without its overrides. */
+    /** The scene that is shown beside the first, without the overrides of the first. */
     private Viewer.Subject other(Scene scene) {
         SceneRunner runner =
                 new SceneRunner(scene).store(choice.runner(scene).store()).threads(threads.number());

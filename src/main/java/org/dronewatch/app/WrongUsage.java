@@ -20,7 +20,7 @@ final class WrongUsage {
 
     private WrongUsage() {}
 
-    /** One line. */
+    /** The message, in one line. */
     static String message(ParameterException problem) {
         String said = problem instanceof UnmatchedArgumentException unmatched
                 ? unmatched(unmatched)
@@ -28,7 +28,10 @@ final class WrongUsage {
         return said + " (see '" + problem.getCommandLine().getCommandSpec().qualifiedName() + " --help')";
     }
 
-    /** What follows an unknown option is often its value: only the option is worth a word then. */
+    /**
+     * States what was not recognised. What follows an unknown option is often its value, so that only the option is
+     * mentioned.
+     */
     private static String unmatched(UnmatchedArgumentException problem) {
         CommandLine command = problem.getCommandLine();
         Optional<String> option = problem.getUnmatched().stream()
@@ -71,7 +74,7 @@ final class WrongUsage {
         return type == double.class || type == Double.class ? Optional.of("a number") : Optional.empty();
     }
 
-    /** The value of an option that is one of a few words. */
+    /** Suggests the value that was probably meant, for an option that takes one of a few words. */
     private static String meantValue(ParameterException problem) {
         if (problem.getArgSpec() == null || !problem.getArgSpec().type().isEnum()) {
             return "";

@@ -31,7 +31,7 @@ public final class CostStudy {
     private static final int MOST = 64;
     private static final double DRONE_DISTANCE = 60.0;
 
-    /** All drones share it, as in a scene. */
+    /** The tree over the drone's model, which all drones share, as in a scene. */
     private final KDTree droneTree;
 
     private final int largest;

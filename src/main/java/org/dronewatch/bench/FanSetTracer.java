@@ -2,7 +2,7 @@ package org.dronewatch.bench;
 
 import org.dronewatch.bvh.SegmentFan;
 
-/** Tests segments for obstacles, those with a common origin that follow each other together. */
+/** Tests segments for obstacles; consecutive segments with a common origin are tested together. */
 final class FanSetTracer implements Tracer {
     private static final int PIECE = 1 << 16;
 

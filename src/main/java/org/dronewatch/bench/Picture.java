@@ -6,10 +6,10 @@ import org.jogamp.vecmath.Vector3d;
 
 /**
  * The pinhole picture that a set of rays is declared to form: found from the rays of its four corners, checked against
- * every ray. Tiles whose rays are not those of the picture are known as such.
+ * every ray. Tiles whose rays are not those of the picture are identified.
  */
 final class Picture {
-    /** How far a given direction may be from the picture's: a few roundings of a unit vector of floats. */
+    /** How far a given direction may deviate from the picture's: a few rounding errors of a unit vector of floats. */
     private static final double TOLERANCE = 3e-7;
 
     private final RaySet set;
@@ -107,12 +107,12 @@ final class Picture {
         return corner.clone();
     }
 
-    /** What a column adds. */
+    /** The vector that each column adds to the direction. */
     double[] right() {
         return right.clone();
     }
 
-    /** What a row adds. */
+    /** The vector that each row adds to the direction. */
     double[] down() {
         return down.clone();
     }

@@ -6,9 +6,9 @@ import java.util.function.LongSupplier;
 import org.dronewatch.parallel.Workers;
 
 /**
- * Measures how long work takes: the median of several runs, after others that warmed up. Short work is repeated many
- * times in a run. Pieces of work that are to be compared run in turn, so that a spell in which the machine is slow
- * affects all of them, and so that the compiler of the virtual machine has seen all of them before any is measured.
+ * Measures how long work takes: the median of several runs, after a warm-up. Short work is repeated many times in a
+ * run. Pieces of work that are to be compared run in turn, so that a spell in which the machine is slow affects all of
+ * them, and so that the compiler of the virtual machine has seen all of them before any is measured.
  */
 final class Stopwatch {
     private static final double NANO = 1e-9;

@@ -88,7 +88,7 @@ final class TracingStudy {
         return generator(tree).diffuse(camera(tree));
     }
 
-    /** The ground's z is up. */
+    /** A generator of rays for ground whose z axis points up. */
     private static RayGenerator generator(KDTree tree) {
         return new RayGenerator(tree, 1, new Vector3d(0, 0, 1));
     }

@@ -6,7 +6,7 @@ import org.dronewatch.campaign.outcome.Outcome;
 import org.dronewatch.fusion.AlertSettings;
 import org.dronewatch.setting.InputException;
 
-/** Whether what a campaign asks for can be known in any of its cases. */
+/** Checks that what a campaign asks for can be known in some of its cases. */
 final class AskedOutcomes {
     private static final String RESPONSE = "alert.response";
 

@@ -36,7 +36,7 @@ public final class CampaignPlan implements Cases {
 
     private static final String CASE = "case";
 
-    /** One in this many bytes of the heap is for sites without drones. */
+    /** The heap divided by this number is the memory for results that are computed from the sites without drones. */
     private static final int MEMORY_SHARE = 4;
 
     private final CampaignSettings settings;

@@ -142,7 +142,7 @@ public final class CampaignRun {
         List<String> variants = cases.variants();
         CaseResult[] results = new CaseResult[count * variants.size()];
         Workers.forEach(count, i -> {
-            // Cases are what is distributed: within one, loops stay on its thread.
+            // Only cases are distributed over threads: the loops within a case stay on its thread.
             try (Workers alone = new Workers(1)) {
                 for (int v = 0; v < variants.size(); v++) {
                     String variant = variants.get(v);

@@ -24,7 +24,7 @@ record CampaignVariant(
     /**
      * Reads a variant's scene and loads its models.
      *
-     * @param scenes gives the scene with a name
+     * @param scenes returns the scene with a name
      * @param scene name of the campaign's scene
      * @param changes the variant's settings by their paths
      * @param first the first variant, unless this is the first: if both have the same scene, they share its models

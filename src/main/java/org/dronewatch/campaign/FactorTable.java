@@ -21,7 +21,7 @@ import org.dronewatch.setting.input.LinkOut;
 
 /** A table of values: the columns are paths of settings, the rows are cases. Immutable; for all threads. */
 final class FactorTable {
-    /** Without columns, and without rows. */
+    /** A table without columns and without rows. */
     static final FactorTable NONE = new FactorTable("", "");
 
     private static final int LARGEST = 64 << 20;

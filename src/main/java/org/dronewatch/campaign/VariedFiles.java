@@ -39,7 +39,9 @@ final class VariedFiles {
         }
     }
 
-    /** SHA-256 of what was read besides models, in the order in which it was; for each value, then variant. */
+    /**
+     * SHA-256 hashes of the files that were read besides models, in the order of reading: by value, then by variant.
+     */
     List<String> hashes() {
         return List.copyOf(hashes);
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 
-/** Which paths of settings may vary or differ, so that no value silently overrides another. */
+/** Checks which paths of settings may vary or differ, so that no value silently overrides another. */
 final class VariedPaths {
     private VariedPaths() {}
 

@@ -34,13 +34,13 @@ public final class Drone {
     private final Vector3d velocity;
     private final OptionalDouble gliding;
 
-    /** A drone at the origin of the world, its nose to the north, at rest. */
+    /** A drone at rest at the origin of the world, with its nose to the north. */
     public Drone(String id, DroneSettings settings, KDTree tree) {
         this(id, settings, new TracingIndex(tree));
     }
 
     /**
-     * A drone at the origin of the world, its nose to the north, at rest, with an index of its mesh that other drones
+     * A drone at rest at the origin of the world, with its nose to the north and an index of its mesh that other drones
      * may share.
      */
     public Drone(String id, DroneSettings settings, TracingIndex index) {
@@ -228,8 +228,8 @@ public final class Drone {
     }
 
     /**
-     * How much longer a matrix makes a vector, at most: the root of a bound on the largest eigenvalue of its transpose
-     * times itself (Gershgorin). For a rotation, it is the same number regardless of rounding.
+     * The greatest factor by which a matrix can lengthen a vector: the square root of a bound on the largest eigenvalue
+     * of its transpose times itself (Gershgorin). For a rotation, it is the same number regardless of rounding.
      */
     private static double stretch(Matrix4d m) {
         double xx = m.m00 * m.m00 + m.m10 * m.m10 + m.m20 * m.m20;

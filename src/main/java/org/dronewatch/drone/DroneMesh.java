@@ -3,7 +3,7 @@ package org.dronewatch.drone;
 import org.dronewatch.bvh.TracingIndex;
 import org.dronewatch.drone.silhouette.SilhouetteTable;
 
-/** The mesh of a drone in model space, and what is derived from it once it is needed. Thread-safe. */
+/** The mesh of a drone in model space, with data derived from it when they are first needed. Thread-safe. */
 final class DroneMesh {
     private final TracingIndex index;
     private final double radius;

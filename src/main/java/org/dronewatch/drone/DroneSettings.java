@@ -126,7 +126,10 @@ public record DroneSettings(
         }
     }
 
-    /** Since sensors do not know labels, what a bird does not have must not be there. */
+    /**
+     * Checks that a bird has no properties that a bird cannot have: sensors know no labels, and would sense these
+     * properties.
+     */
     private static void checkBird(RadarSignature radar, RadioLink radio, double loudest) {
         if (radio.control() == RadioLink.Control.RADIO
                 || loudest > 0.0
@@ -138,8 +141,8 @@ public record DroneSettings(
     }
 
     /**
-     * A sound with its own spectrum may have any name that is not in the table, and need not have one: then it has that
-     * of the default. Otherwise the name must be in the table.
+     * Checks the name of the sound. With a separate spectrum, a sound may have any name that is not in the table, or
+     * none, in which case it keeps the default name. Without such a spectrum, the name must be in the table.
      */
     private static void checkSound(String name, boolean own) {
         if (own && name.isBlank()) {
@@ -192,7 +195,7 @@ public record DroneSettings(
 
     /**
      * A bird, which sensors may mistake for a drone: inaudible (sound levels of 0 dB), and without a transmitter; its
-     * temperature difference from the background is that of the default drone, for want of a figure for birds.
+     * temperature difference from the background is that of the default drone, since no figure for birds is available.
      *
      * @param speed speed in flight, m/s
      * @param crossSection mean radar cross-section, m2

@@ -25,7 +25,7 @@ public record FlightLimits(
         double endurance,
         double glideRatio,
         double glideSpeed) {
-    /** Bank of a coordinated turn: PX4 limits fixed-wing drones to 50 degrees (FW_R_LIM). */
+    /** Bank angle of a coordinated turn: PX4 limits that of fixed-wing drones to 50 degrees (FW_R_LIM). */
     private static final double WING_BANK = Math.toRadians(50.0);
     /** Tilt of a multirotor: PX4 limits it to 45 degrees (MPC_TILTMAX_AIR). */
     private static final double ROTOR_TILT = Math.toRadians(45.0);
@@ -40,7 +40,7 @@ public record FlightLimits(
 
     private static final double HALF_AN_HOUR = 1800.0;
     private static final double AN_HOUR = 3600.0;
-    /** Assumed: a good small fixed-wing drone. */
+    /** The glide ratio of a good small fixed-wing drone. Assumed. */
     private static final double WING_GLIDE = 10.0;
 
     /**

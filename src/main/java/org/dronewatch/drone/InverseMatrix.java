@@ -2,7 +2,10 @@ package org.dronewatch.drone;
 
 import org.jogamp.vecmath.Matrix4d;
 
-/** The inverse of a matrix, once it is needed: many drones are placed only to ask where they are. Thread-safe. */
+/**
+ * The inverse of a matrix, computed when it is first needed: many drones are placed only to find their positions.
+ * Thread-safe.
+ */
 final class InverseMatrix {
     private final Matrix4d matrix;
     private volatile Matrix4d inverse;
@@ -12,7 +15,7 @@ final class InverseMatrix {
         this.matrix = matrix;
     }
 
-    /** The inverse, not to be changed. Threads that need it at once find the same. */
+    /** The inverse, which must not be changed. Threads that need it at the same time get equal results. */
     Matrix4d get() {
         Matrix4d known = inverse;
         if (known == null) {

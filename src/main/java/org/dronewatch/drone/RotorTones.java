@@ -26,7 +26,10 @@ public record RotorTones(
         @In(value = Quantity.FREQUENCY, above = 0, to = 1000) double rotorSpeed,
         @In(value = Quantity.NUMBER, from = 1, to = 12) int blades,
         @In(value = Quantity.RATIO, from = 0, to = 1) List<Double> shares) {
-    /** Half of the power at the blade-passing frequency, less in each harmonic. Assumed. */
+    /**
+     * Typical fractions: half of the power for the tone at the blade-passing frequency, and less for each harmonic.
+     * Assumed.
+     */
     private static final List<Double> TYPICAL = List.of(0.5, 0.25, 0.25, 0.1, 0.1, 0.1);
 
     private static final int MAX_LINES = 50;

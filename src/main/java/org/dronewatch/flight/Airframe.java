@@ -64,7 +64,7 @@ public enum Airframe {
      * The attitude for an acceleration.
      *
      * @param yaw heading of the nose, which does not change, rad
-     * @param velocity m/s
+     * @param velocity velocity of the drone, m/s
      * @param force specific force: acceleration minus gravity, m/s2
      */
     abstract Attitude lean(double yaw, Position velocity, Position force);

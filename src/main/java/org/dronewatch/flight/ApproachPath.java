@@ -13,10 +13,10 @@ final class ApproachPath implements FlightPath {
     private final double speed;
 
     /**
-     * A path.
+     * A path from one point to another, m.
      *
-     * @param heading of the drone, clockwise from north, rad
-     * @param speed m/s
+     * @param heading heading of the drone, clockwise from north, rad
+     * @param speed speed of the drone, m/s
      */
     ApproachPath(Position from, Position to, double heading, double speed) {
         Position leg = to.minus(from);

@@ -41,7 +41,7 @@ public final class Displaced implements FlightPathSettings {
         };
     }
 
-    /** An offset to the right, ahead and above, in the world, m. */
+    /** An offset that is given to the right, ahead and above for a heading, transformed to the world, m. */
     static Position turned(Position offset, double heading) {
         double east = Math.sin(heading);
         double north = Math.cos(heading);

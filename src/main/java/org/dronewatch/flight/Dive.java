@@ -41,7 +41,7 @@ public record Dive(
         return new Dive(target, 0.0, distance, height, Math.PI / 3);
     }
 
-    /** Horizontal distance from the target at which the dive begins, at most 100 km, m. */
+    /** Horizontal distance from the target at which the dive begins, m; at most 100 km. */
     private static double diving(double height, double angle) {
         return height / Math.tan(angle);
     }
@@ -57,7 +57,7 @@ public record Dive(
         FlightPath cruise = new Approach(start, top).create(speed, acceleration, ground);
         FlightPath dive = new Approach(top, target).create(speed, acceleration, ground);
         double cruising = start.distance(top) / speed;
-        // A dive straight down leads nowhere on the compass: the nose stays where it was.
+        // A dive straight down has no compass heading: the nose keeps its heading.
         double heading = cruise.at(0.0).heading();
         return time -> {
             FlightState state = time < cruising ? cruise.at(time) : dive.at(time - cruising);

@@ -64,7 +64,7 @@ public final class FlightsFile {
     /** The longest time, s: more than three years. */
     private static final double LONGEST = 1e8;
 
-    /** The largest velocity along an axis: more than any drone's speed, m/s. */
+    /** The largest component of a velocity, m/s: more than any drone's speed. */
     private static final double FASTEST = 1000.0;
 
     private final String name;
@@ -164,7 +164,7 @@ public final class FlightsFile {
         legs.add(new Leg(time, state));
     }
 
-    /** Computed positions may lie a little outside of what settings allow. */
+    /** A coordinate in a row; computed positions may lie a little outside the limits of settings. */
     private double place(NamedCsvRecord row, String column) {
         return number(row, column, -10 * In.FARTHEST, 10 * In.FARTHEST);
     }
@@ -174,7 +174,7 @@ public final class FlightsFile {
     }
 
     private double angle(NamedCsvRecord row, String column) {
-        // An orbit's heading grows with every turn.
+        // The heading on an orbit grows with every turn.
         return number(row, column, -1e9, 1e9);
     }
 

@@ -6,8 +6,8 @@ import org.dronewatch.geometry.Position;
 /**
  * A path on which the drone leans as its type of airframe requires.
  *
- * @param path where it flies
- * @param airframe how it leans
+ * @param path path along which the drone flies
+ * @param airframe type of airframe, which determines how the drone leans
  */
 record LeaningPath(FlightPath path, Airframe airframe) implements FlightPath {
     private static final Position AGAINST_GRAVITY = new Position(0.0, 0.0, Airframe.GRAVITY);
@@ -22,7 +22,7 @@ record LeaningPath(FlightPath path, Airframe airframe) implements FlightPath {
         return state.withAttitude(airframe.lean(state.heading(), state.velocity(), force));
     }
 
-    /** Leaning does not move it. */
+    /** Leaning does not change the drone's position. */
     @Override
     public Position position(double time) {
         return path.position(time);

@@ -12,10 +12,13 @@ public final class Legs {
     /** A leg continues while the flight is within this distance of it, m. */
     private static final double CLOSE = 1e-6;
 
-    /** As {@link #CLOSE}, for angles, rad, and for the time of gliding, s. */
+    /** As {@link #CLOSE}, but for angles, rad, and for the time since the motors were stopped, s. */
     private static final double ALIKE = 1e-9;
 
-    /** Ten samples a second: with an acceleration of 2.5 m/s2 a flight is written to 3 mm. */
+    /**
+     * The step between samples, s: with ten samples per second and an acceleration of 2.5 m/s2, a flight is recorded to
+     * within 3 mm.
+     */
     private static final double STEP = 0.1;
 
     /**
@@ -85,8 +88,8 @@ public final class Legs {
     }
 
     /**
-     * The leg from one sample to the next: with the flight's own velocity if that leads there, otherwise with the mean
-     * of both.
+     * The leg from one sample to the next: it has the flight's own velocity if that leads from one to the other, and
+     * otherwise the mean velocity between them.
      */
     private static Leg leg(double time, FlightState here, FlightState next, double nextTime) {
         Leg own = new Leg(time, here);
@@ -101,7 +104,7 @@ public final class Legs {
         return one.position().distance(other.position()) <= CLOSE;
     }
 
-    /** Whether a leg also covers the next one. */
+    /** Whether a leg, continued, also covers the next one. */
     private static boolean goesOn(Leg before, Leg next, FlightState end, double endTime) {
         FlightState expected = before.at(next.time());
         FlightState state = next.start();

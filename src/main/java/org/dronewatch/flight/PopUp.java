@@ -30,7 +30,7 @@ public record PopUp(
     public FlightPath create(double speed, double acceleration, Ground ground) {
         Position top = position.plus(new Position(0, 0, height));
         FlightPath rise = new WaypointPath(List.of(position, top), speed, acceleration);
-        // Before the rise it is as at its beginning: at rest.
+        // Before the climb, the drone is in the same state as at its beginning: at rest.
         return time -> rise.at(Math.max(0.0, time - hoverTime));
     }
 }

@@ -18,13 +18,13 @@ import org.dronewatch.world.Ground;
  *
  * @param from position at time 0, m
  * @param legs 1 to 10,000 legs, each 1 mm or longer
- * @param delay how long the drone waits at its starting point before the first leg, with its nose pointing along that
- *     leg and its motors running, 0 to 3600 s; 0 by default
+ * @param delay time for which the drone waits at its starting point before the first leg, with its nose pointing along
+ *     that leg and its motors running, 0 to 3600 s; 0 by default
  */
 public record RouteFlight(
         Position from, List<RouteLeg> legs, @In(value = Quantity.DURATION, from = 0, to = 3600) double delay)
         implements FlightPathSettings {
-    /** Shorter horizontal distances have no direction, m. */
+    /** Horizontal distances shorter than this are taken to have no direction, m. */
     private static final double VERTICAL = 1e-9;
 
     /**

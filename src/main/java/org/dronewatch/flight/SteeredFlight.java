@@ -20,7 +20,7 @@ import org.dronewatch.setting.Check;
  * to have reached; any thread may query the flight.
  */
 public final class SteeredFlight implements FlownPath {
-    /** By how much a commanded speed may be above the limit, as the length of a rounded vector may. */
+    /** The amount by which a commanded speed may exceed the limit, since the length of a rounded vector may. */
     private static final double ROUNDING = 1e-9;
 
     private static final Position REST = new Position(0, 0, 0);
@@ -35,7 +35,7 @@ public final class SteeredFlight implements FlownPath {
     /**
      * A flight that is at rest at the start of a run and is steered by the calling thread.
      *
-     * @param start where it is, m
+     * @param start its position, m
      * @param heading heading of its nose, clockwise from north, rad
      * @param fastest largest speed that may be commanded, m/s
      */
@@ -96,7 +96,7 @@ public final class SteeredFlight implements FlownPath {
         }
         FlightState here = Leg.at(legs, from);
         Position way = target.minus(here.position());
-        // Before the velocity, which may be infinite so soon after the command.
+        // Checked before the velocity, which may be infinite if the arrival is so soon after the command.
         double speed = way.length() / (arrival - from);
         checkSpeed(speed);
         Position velocity = speed == 0.0 ? REST : way.times(1.0 / (arrival - from));
@@ -110,7 +110,7 @@ public final class SteeredFlight implements FlownPath {
         return Attitude.level(isVertical ? here.heading() : Math.atan2(velocity.x(), velocity.y()));
     }
 
-    /** When a command takes effect, s. */
+    /** The time at which a command takes effect, s. */
     private double effective(double time) {
         if (over) {
             throw new IllegalStateException("the run is over: it accepts no more commands");
@@ -148,7 +148,10 @@ public final class SteeredFlight implements FlownPath {
         add(from, velocity, attitude);
     }
 
-    /** A new leg from where it is then; what an earlier command planned for later is discarded. */
+    /**
+     * Adds a leg that begins at the drone's position at that time; anything that an earlier command planned for a later
+     * time is discarded.
+     */
     private void add(double from, Position velocity, Attitude attitude) {
         Position here = Leg.at(legs, from).position();
         for (int last = legs.size() - 1; last >= 0 && legs.get(last).time() >= from; last--) {
@@ -157,7 +160,7 @@ public final class SteeredFlight implements FlownPath {
         legs.add(new Leg(from, new FlightState(here, velocity, attitude, OptionalDouble.empty())));
     }
 
-    /** From now on the calling thread runs the scene, and only it may steer. */
+    /** Makes the calling thread the one that runs the scene: only it may steer from now on. */
     synchronized void steerHere() {
         steering = Thread.currentThread();
     }
@@ -198,7 +201,7 @@ public final class SteeredFlight implements FlownPath {
      */
     @Override
     public synchronized FlightState at(double time) {
-        // The sum of the fractions of a run may differ from its duration by rounding.
+        // Because of rounding, the parts of a run may not add up exactly to its duration.
         if (time > now * (1.0 + 1e-12)) {
             throw new IllegalStateException(
                     "where a steered drone will be at " + time + " s is not known at " + now + " s");

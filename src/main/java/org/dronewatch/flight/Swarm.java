@@ -11,7 +11,7 @@ import org.dronewatch.setting.Quantity;
 /**
  * Several drones of one kind that fly in formation: each flies the leader's path, displaced by a constant vector. The
  * formation is oriented by the leader's heading at time 0 and does not turn with it. A leader that follows the terrain
- * follows the ground below itself, not that below the others.
+ * follows the ground below itself, not the ground below the others.
  *
  * @param count number of drones, including the leader, 1 to 1000
  * @param spacing distance between neighbours, above 0 and at most 10,000 m
@@ -65,7 +65,7 @@ public record Swarm(
         /** A drone's offset: to the right of the leader, ahead of it and above it, in spacings. */
         abstract Position offset(int number, int count);
 
-        /** Every other drone to the right, the others to the left. */
+        /** The offset to the side in spacings, alternately to the right and to the left. */
         private static int sideways(int number) {
             int steps = (number + 1) / 2;
             return number % 2 == 0 ? -steps : steps;

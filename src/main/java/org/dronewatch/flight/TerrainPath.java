@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
-/** A path over a ground track at constant speed through space, which stays at its end. */
+/** A path over a ground track, flown at constant speed through space; the drone stays at its end. */
 final class TerrainPath implements FlightPath {
     private static final Position REST = new Position(0, 0, 0);
 
@@ -15,9 +15,9 @@ final class TerrainPath implements FlightPath {
     /**
      * A path over a profile.
      *
-     * @param profile height of what lies below at each node of the track, m
-     * @param height over the profile, m
-     * @param speed along the path, m/s
+     * @param profile height of the surface below each node of the track, m
+     * @param height height of the drone above the profile, m
+     * @param speed speed along the path, m/s
      */
     TerrainPath(GroundTrack track, double[] profile, double height, double speed) {
         this.points = new Position[profile.length];
@@ -37,7 +37,7 @@ final class TerrainPath implements FlightPath {
             return new FlightState(points[last], REST, heading(last));
         }
         int found = Arrays.binarySearch(flown, travelled);
-        // Between two nodes the search gives -(insertion point) - 1.
+        // For a distance between two nodes, the search returns -(insertion point) - 1.
         int next = found >= 0 ? found + 1 : -found - 1;
         Position from = points[next - 1];
         Position leg = points[next].minus(from);
@@ -52,7 +52,7 @@ final class TerrainPath implements FlightPath {
         return OptionalDouble.of(speed);
     }
 
-    /** Along the segment of the track that ends at a node. */
+    /** The heading along the segment of the track that ends at a node, rad. */
     private double heading(int node) {
         Position leg = points[node].minus(points[node - 1]);
         return Math.atan2(leg.x(), leg.y());

@@ -30,10 +30,10 @@ public final class TerrainProfile {
         return heights;
     }
 
-    /** The ground at each node; where there is none, that of the nearest node that has some. */
+    /** The height of the ground at each node; where there is none, the height at the nearest node that has ground. */
     private static double[] known(GroundTrack track, Ground ground) {
         double[] heights = new double[track.size()];
-        // The last node before here that has ground, and the first that has none since.
+        // The last node so far that has ground, and the first node after it that has none.
         int before = -1;
         for (int i = 0; i < heights.length; i++) {
             OptionalDouble height = ground.height(track.x(i), track.y(i));

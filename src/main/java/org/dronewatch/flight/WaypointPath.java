@@ -7,7 +7,7 @@ import org.dronewatch.geometry.Position;
 
 /**
  * A path through waypoints with limited speed and acceleration. Collinear waypoints form one leg; each leg is flown
- * from rest to rest: accelerate, cruise, decelerate.
+ * from rest to rest: the drone accelerates, cruises and decelerates.
  */
 final class WaypointPath implements FlightPath {
     /** Below this change of direction (a metre in a hundred kilometres) two legs count as one. */

@@ -84,7 +84,7 @@ public final class AlertLog {
         Alert alert = new Alert(look.contact(), look.time(), sensors);
         end(look.contact(), alert);
         for (ConfirmedContact carrier : carriers) {
-            // What has ended has been forgotten already, and will not be seen again.
+            // Contacts that have ended have already been forgotten, and will not be seen again.
             if (tracks.containsKey(carrier.contact())) {
                 end(carrier.contact(), alert);
             }
@@ -103,7 +103,7 @@ public final class AlertLog {
         return Optional.ofNullable(alerts.get(contact));
     }
 
-    /** How many contacts it remembers at present. */
+    /** The number of contacts that it remembers at present. */
     int size() {
         return tracks.size() + alerts.size() + matcher.size();
     }

@@ -20,7 +20,7 @@ public sealed interface AlertRule
         return Optional.empty();
     }
 
-    /** A rule that a system can follow, since it decides by measurements alone. */
+    /** A rule that a system can follow, since it decides on the basis of measurements alone. */
     interface Decision {
         /**
          * The confirmations that justify an alert now; empty if there is no alert.

@@ -19,7 +19,7 @@ import org.dronewatch.world.World;
  * @param top z coordinate of its top, m
  */
 public record AreaZone(String name, ProtectedArea settings, double bottom, double top) {
-    /** The ground is looked at in this number of steps along each side of the rectangle around the area. */
+    /** The ground is sampled in this number of steps along each side of the rectangle around the area. */
     private static final int STEPS = 24;
 
     /** A circle is drawn with this number of straight sides. */
@@ -111,7 +111,7 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return beside(x, y) == 0.0;
     }
 
-    /** The distance in plan, 0 inside, m. */
+    /** The distance in plan view, m; 0 inside. */
     private double beside(double x, double y) {
         if (settings.area().isEmpty()) {
             GroundPoint centre = settings.centre().orElseThrow();
@@ -172,7 +172,9 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
         return share >= first && share <= last ? OptionalDouble.of(share) : OptionalDouble.empty();
     }
 
-    /** Where a line from outside first meets the circle; NaN if it does not. */
+    /**
+     * The position at which a line from outside first meets the circle, as a fraction of the line; NaN if it does not.
+     */
     private double circle(Position from, double dx, double dy) {
         GroundPoint centre = settings.centre().orElseThrow();
         double cx = centre.x() - from.x();
@@ -185,8 +187,8 @@ public record AreaZone(String name, ProtectedArea settings, double bottom, doubl
     }
 
     /**
-     * Where a line first crosses a side of the polygon, as a fraction of the line and not before a given one; infinity
-     * if it does not.
+     * The position at which a line first crosses a side of the polygon, as a fraction of the line that is not below a
+     * given one; infinity if it does not.
      */
     private double sides(Position from, double dx, double dy, double first) {
         double nearest = Double.POSITIVE_INFINITY;

@@ -6,14 +6,14 @@ import org.dronewatch.fusion.FalseAlertRate.Confirmed;
 import org.dronewatch.sensor.alarm.AzimuthSpan;
 
 /**
- * How often confirmed false alarms of several sensors coincide by chance: how often one is confirmed while the number
- * of other sensors with a false alarm that still counts, and agrees in bearing, is one less than the rule requires. A
- * false alarm counts for as long as it stays confirmed, and for the rule's time after that. For two sensors with a and
- * b confirmed false alarms per second, each of which counts for the time T, this is the rate of accidental
+ * The rate at which confirmed false alarms of several sensors coincide by chance: at which one is confirmed while the
+ * number of other sensors with a false alarm that still counts, and agrees in bearing, is one less than the rule
+ * requires. A false alarm counts for as long as it stays confirmed, and for the rule's time after that. For two sensors
+ * with a and b confirmed false alarms per second, each of which counts for the time T, this is the rate of accidental
  * coincidences, {@code 2 a b T}; it is lower where false alarms are so frequent that one of them meets several.
  */
 final class Coincidences {
-    /** Looks over which the number of another sensor's looks within a time is averaged. */
+    /** Number of looks over which the number of another sensor's looks within a given time is averaged. */
     private static final int LOOKS = 1000;
 
     /** The number of bearings over which the mean is taken. */
@@ -38,7 +38,10 @@ final class Coincidences {
         return sum;
     }
 
-    /** The probability that a false alarm of a sensor completes the number, averaged over its bearing. */
+    /**
+     * The probability that a false alarm of a sensor completes the number of sensors that the rule requires, averaged
+     * over its bearing.
+     */
     private double enoughOthers(int last) {
         if (rule.count() == 1) {
             return 1.0;
@@ -57,17 +60,17 @@ final class Coincidences {
         return sum / steps;
     }
 
-    /** Expected number of a sensor's false alarms that count at a look of another. */
+    /** Expected number of a sensor's false alarms that count at a look of another sensor. */
     private double counting(int last, int other) {
         Confirmed sensor = sensors.get(other);
-        // Of two that are confirmed at the same time only one is the last.
+        // Of two false alarms that are confirmed at the same time, only one is the last.
         boolean isWithPresent = other < last;
         double looks = looksWithin(
                 rule.within() + sensor.duration(), sensors.get(last).lookRate(), sensor.lookRate(), isWithPresent);
         return sensor.perSecond() / sensor.lookRate() * looks;
     }
 
-    /** How many looks of a sensor lie in the seconds before a look of another, on average. */
+    /** The mean number of looks of a sensor in a number of seconds before a look of another. */
     private static double looksWithin(double seconds, double rate, double otherRate, boolean isWithPresent) {
         double sum = 0.0;
         double start = Math.ceil((seconds + 1.0) * rate);
@@ -79,7 +82,10 @@ final class Coincidences {
         return sum / LOOKS;
     }
 
-    /** The probability that a number of the other sensors have a false alarm that counts and agrees in bearing. */
+    /**
+     * The probability that exactly a given number of the other sensors have a false alarm that counts and agrees in
+     * bearing.
+     */
     private double exactly(int number, int last, double[] counting, Optional<Double> bearing) {
         double[] chances = new double[number + 1];
         chances[0] = 1.0;

@@ -13,7 +13,7 @@ public final class ConfirmedLooks {
         this.needed = confirmation.hits();
     }
 
-    /** Adds a look. Returns whether the latest looks, this one included, confirm the contact. */
+    /** Adds a look and returns whether the latest looks, including this one, confirm the contact. */
     public boolean add(boolean detected) {
         hits += (detected ? 1 : 0) - (last[next] ? 1 : 0);
         last[next] = detected;

@@ -29,10 +29,10 @@ import org.dronewatch.world.Weather;
  * one but below M, J = M / L of them, rounded up, must begin in the same cell within N + L - 1 looks; an upper bound on
  * the rate is {@code K f s P(Poisson(s' (N+L-1)) >= J-1)} with s' = -ln(1-s).
  *
- * <p>Where false alarms are so frequent that they merge, fewer new ones would be confirmed the more frequent they are,
- * since the old ones never end. The rate is then taken at the formula's maximum: at {@code s = M / (N+1)} for false
- * alarms that last for one look, at {@code s = 1 / (N+L)} for those that confirm themselves. Such a sensor reports
- * false alarms more than half the time.
+ * <p>Where false alarms are so frequent that they merge, the number of new ones that are confirmed would decrease as
+ * they become more frequent, since the old ones never end. The rate is then taken at the formula's maximum: at
+ * {@code s = M / (N+1)} for false alarms that last for one look, at {@code s = 1 / (N+L)} for those that confirm
+ * themselves. Such a sensor reports false alarms more than half the time.
  *
  * @param perDay expected number of false alerts per day from the sensors whose rates are known
  * @param isUpperBound whether the number is an upper bound
@@ -138,13 +138,13 @@ public record FalseAlertRate(
     }
 
     /**
-     * One sensor's false alarms that are confirmed.
+     * The confirmed false alarms of one sensor.
      *
-     * @param perSecond how many a second
+     * @param perSecond number of them per second
      * @param isUpperBound whether the number is an upper bound
-     * @param duration for how long one is confirmed, from the first to the last look, s
+     * @param duration time for which one of them stays confirmed, from the first to the last look, s
      * @param lookRate looks per second, Hz
-     * @param bearings where they lie, if that is known
+     * @param bearings azimuths over which they are distributed, if these are known
      * @param isMerging whether they are so frequent that they merge
      */
     record Confirmed(
@@ -154,7 +154,10 @@ public record FalseAlertRate(
             double lookRate,
             Optional<AzimuthSpan> bearings,
             boolean isMerging) {
-        /** A Poisson variable with a greater mean is practically certain to reach any number asked for. */
+        /**
+         * A Poisson variable with a mean greater than this is practically certain to reach any number for which the
+         * probability is requested.
+         */
         private static final double CERTAIN = 700.0;
 
         static Confirmed of(Confirmation confirm, FalseAlarmRate rate, Optional<AzimuthSpan> bearings) {

@@ -69,7 +69,7 @@ public final class ForecastLog {
         double missed = 1.0;
         for (int i = 0; i < likeliest.size(); i++) {
             missed *= 1.0 - probability(likeliest.get(i), time);
-            // Rounding must not keep certain sensors from being certain together.
+            // Rounding must not make sensors less than certain together if each of them is certain.
             if (1.0 - missed >= rule.probability() - ROUNDING) {
                 return likeliest.subList(0, i + 1).stream()
                         .map(AssessedLook::sensor)

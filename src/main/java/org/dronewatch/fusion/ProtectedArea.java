@@ -29,7 +29,7 @@ public record ProtectedArea(
         @In(value = Quantity.LENGTH, above = 0, to = In.FARTHEST) double height) {
     private static final int MOST = 1000;
 
-    /** A smaller area is a line, m2. */
+    /** An area smaller than this counts as a line, m2. */
     private static final double SMALLEST = 0.01;
 
     /** Checks the limits. */
@@ -101,7 +101,7 @@ public record ProtectedArea(
         }
     }
 
-    /** Positive where three points turn left. */
+    /** Positive if the path through three points turns left at the second. */
     private static double turn(GroundPoint a, GroundPoint b, GroundPoint c) {
         return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
     }

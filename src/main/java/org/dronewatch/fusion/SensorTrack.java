@@ -11,12 +11,12 @@ final class SensorTrack {
     private Optional<ConfirmedContact> confirmed = Optional.empty();
     private double bearing = Double.NaN;
 
-    /** No looks so far. */
+    /** A record without looks. */
     SensorTrack(Confirmation confirmation) {
         this.looks = new ConfirmedLooks(confirmation);
     }
 
-    /** Adds a look. Returns whether it confirms the contact. */
+    /** Adds a look and returns whether it confirms the contact. */
     boolean add(ContactLook look) {
         for (Measurement measured : look.measurements()) {
             measured.sighting()

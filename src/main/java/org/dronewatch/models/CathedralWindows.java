@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Frames and tracery before the panes. */
+/** Frames and tracery in front of the panes. */
 final class CathedralWindows {
     private static final double HALF = 1.25;
     private static final double ROUND = 0.07;
@@ -60,7 +60,7 @@ final class CathedralWindows {
             double y = spring + 0.62 + 0.30 * StrictMath.sin(angle);
             ring.add(new Point(0.30 * StrictMath.cos(angle), y, 0));
         }
-        // A ring's ends lie in each other: two half rings are two plain bars.
+        // The ends of a whole ring would lie inside each other, so it is made of two half rings, which are plain bars.
         add(builder, "ring_a_" + name, ring.subList(0, PIECES / 2 + 1), ROUND, placement);
         add(builder, "ring_b_" + name, ring.subList(PIECES / 2, PIECES + 1), ROUND, placement);
     }

@@ -50,7 +50,9 @@ final class Erosion {
         }
     }
 
-    /** Fills hollows from the rim inward; the order of filling has every cell after the cell it drains to. */
+    /**
+     * Fills hollows from the rim inward; in the order of filling, every cell comes after the cell to which it drains.
+     */
     private void flood() {
         Comparator<Spill> lowestFirst = Comparator.comparingDouble(Spill::level).thenComparingInt(Spill::index);
         PriorityQueue<Spill> front = new PriorityQueue<>(lowestFirst);
@@ -78,7 +80,8 @@ final class Erosion {
 
     /**
      * Picks where each cell drains to. On a square grid the steepest of eight neighbours favours eight directions and
-     * would cut dead straight gullies; weighing the slopes by chance, anew in each step, lets the mean flow take any.
+     * would cut dead straight gullies; weighting the slopes at random, anew in each step, lets the mean flow take any
+     * direction.
      */
     private void drain(int step) {
         for (int i = 0; i < cells; i++) {

@@ -37,7 +37,7 @@ final class Landform {
     private final ValueNoise swell = new ValueNoise(0x5eed02);
     private final ValueNoise crest = new ValueNoise(0x5eed03);
 
-    /** Height in metres at metres east and north of the plan origin. */
+    /** The height, metres, at a point given in metres east and north of the plan origin. */
     double height(double east, double north) {
         double x = east + 45 * warp.octaves(east / 210, north / 210, 3);
         double y = north + 45 * warp.octaves(east / 210 + 71, north / 210 - 43, 3);
@@ -50,7 +50,7 @@ final class Landform {
     }
 
     /**
-     * The main hill is hollow-flanked: steep near the top and easing outward, so that its foot is seen from the top.
+     * The main hill has concave flanks: steep near the top and gentler outward, so that its foot is seen from the top.
      */
     private static double mainHill(double x, double y) {
         double u = (0.94 * x + 0.34 * y) / 260;

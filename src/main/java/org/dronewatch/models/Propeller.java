@@ -14,7 +14,7 @@ final class Propeller {
      * A thin twisted blade, widest at a third of its length: pitch falls from root to tip.
      *
      * @param hub middle of an upright axis
-     * @param radius of the tip, metres
+     * @param radius radius of the tip, metres
      * @param standing where the blade points, radians from the model's right towards its tail
      * @param turn 1 or -1: the direction in which it turns
      */

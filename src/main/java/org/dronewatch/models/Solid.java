@@ -55,7 +55,7 @@ final class Solid {
         return facets.stream().mapToDouble(f -> f.sixfoldVolume(apex)).sum() / 6;
     }
 
-    /** The same solid with every corner somewhere else. */
+    /** This solid with a motion applied to every corner. */
     Solid moved(UnaryOperator<Point> motion) {
         Solid other = new Solid();
         for (Facet facet : facets) {

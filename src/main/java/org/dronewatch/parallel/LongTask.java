@@ -8,7 +8,7 @@ import java.util.function.Consumer;
  * a progress bar. If nobody watches, one line announces the task. Thread-safe: several workers may advance it.
  */
 public final class LongTask implements AutoCloseable {
-    /** How many times at most a task of known length is reported. */
+    /** The maximum number of times that a task of known length is reported. */
     private static final long REPORTS = 500;
 
     /** The number of steps after which a task of unknown length is reported. */

@@ -230,7 +230,7 @@ public final class Workers implements AutoCloseable {
                     }
                 }
             } catch (Throwable e) {
-                // Also what the compiler does not expect here: whoever waits must not wait forever.
+                // This also catches what the compiler does not expect here: whoever waits must not wait forever.
                 abandon(e);
                 if (Interrupts.isIn(e)) {
                     // The others are to be woken, too.

@@ -3,9 +3,9 @@ package org.dronewatch.positioner;
 import org.dronewatch.geometry.Position;
 
 /**
- * An alpha-beta filter: a vector is corrected by {@code alpha} times the difference between what was measured and its
- * prediction, its rate by {@code beta} times that difference over the time between, with {@code beta = alpha^2 / (2 -
- * alpha)} (Benedict and Bordner 1962).
+ * An alpha-beta filter: a vector is corrected by {@code alpha} times the difference between its measured value and its
+ * predicted one, and its rate by {@code beta} times that difference divided by the time since the previous measurement,
+ * with {@code beta = alpha^2 / (2 - alpha)} (Benedict and Bordner 1962).
  */
 final class AlphaBeta {
     private static final double ALPHA = 0.5;
@@ -21,7 +21,10 @@ final class AlphaBeta {
         this.time = time;
     }
 
-    /** Takes what was measured at a time, s; at the last time again, or before it, that replaces the value. */
+    /**
+     * Takes the value measured at a time, s; if that is not later than the time of the last measurement, the measured
+     * value replaces the filtered one.
+     */
     void add(Position measured, double at) {
         double since = at - time;
         if (since > 0.0) {
@@ -40,7 +43,7 @@ final class AlphaBeta {
         return value.plus(rate.times(when - time));
     }
 
-    /** When the last measurement was taken, s. */
+    /** The time at which the last measurement was taken, s. */
     double time() {
         return time;
     }

@@ -5,13 +5,13 @@ import org.dronewatch.geometry.Position;
 
 /**
  * The direction in which one sensor sees a contact, smoothed and predicted by an {@link AlphaBeta} filter of its unit
- * vector. A prediction goes a second at most beyond the last sighting: the error of a rate grows with time.
+ * vector. A prediction reaches at most a second beyond the last sighting, since the error of a rate grows with time.
  */
 final class Bearing {
-    /** How long a direction is extrapolated, s. */
+    /** The greatest time by which a direction is extrapolated, s. */
     static final double LEAD = 1.0;
 
-    /** Shorter vectors have no direction: the last sighting was opposite to the one before. */
+    /** Vectors shorter than this have no direction: the last sighting was opposite to the one before. */
     private static final double SHORTEST = 1e-6;
 
     private final Position from;
@@ -27,7 +27,8 @@ final class Bearing {
     /**
      * Takes a sighting by the same sensor.
      *
-     * @param patience after a longer silence, s, the direction starts afresh
+     * @param patience longest time without a sighting after which the direction is still continued, s; after a longer
+     *     time, it starts afresh
      */
     void add(Sighting sighting, double time, double patience) {
         if (time - filter.time() > patience) {
@@ -44,17 +45,17 @@ final class Bearing {
         return vector.length() > SHORTEST ? vector.unit() : last.direction().unit();
     }
 
-    /** Where the sensor is, m. */
+    /** The position of the sensor, m. */
     Position from() {
         return from;
     }
 
-    /** When it last saw the contact, s. */
+    /** The time at which the sensor last saw the contact, s. */
     double time() {
         return filter.time();
     }
 
-    /** Whether it measures a direction, azimuth and elevation, but no range. */
+    /** Whether the sensor measures a direction, with azimuth and elevation, but no range. */
     boolean isDirectionOnly() {
         return last.range().isEmpty() && last.hasElevation();
     }

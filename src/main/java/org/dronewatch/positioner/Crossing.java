@@ -4,30 +4,36 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 
 /**
- * Where the line of sight of one sensor passes that of another: a range from two directions (triangulation).
+ * The point at which the line of sight of one sensor passes that of another: a range from two directions
+ * (triangulation).
  *
- * @param range from the first sensor, m
- * @param error standard error of the range, by the errors of both directions and the angle between them, m
+ * @param range range of the point from the first sensor, m
+ * @param error standard error of the range, which follows from the errors of both directions and the angle between
+ *     them, m
  */
 record Crossing(double range, double error) {
-    /** Smallest error assumed for a direction, rad: a drone has a size, and moves while it is looked at. */
+    /** Smallest error assumed for a direction, rad: a drone is not a point, and it moves during a look. */
     private static final double LEAST_ERROR = 2e-3;
 
-    /** Lines at a smaller angle, in standard errors, are parallel. */
+    /** Lines at an angle smaller than this, in standard errors, count as parallel. */
     private static final double DISTINCT = 4.0;
 
-    /** How far lines that meet may miss each other, in standard errors, and in metres. */
+    /**
+     * The greatest distance by which lines that count as meeting may miss each other, in standard errors; also in
+     * metres.
+     */
     private static final double MISS = 4.0;
 
     private static final double LEAST_MISS = 5.0;
 
     /**
-     * Where one line crosses another at a time. With the unit vectors u and v from places at the distance vector b, at
-     * the angle g, the first line is nearest to the second at the range {@code r = (b u - (u v) (b v)) / sin^2 g}, the
-     * second to the first at {@code s = ((u v) (b u) - b v) / sin^2 g}; the error of r is {@code sqrt((s dv)^2 + (r du
-     * cos g)^2) / sin g}, with the errors du and dv of the two directions.
+     * The crossing of one line with another at a time. With the unit vectors u and v at the angle g to each other, and
+     * the vector b from the first sensor to the second, the first line is nearest to the second at the range
+     * {@code r = (b u - (u v) (b v)) / sin^2 g}, the second to the first at {@code s = ((u v) (b u) - b v) / sin^2 g};
+     * the error of r is {@code sqrt((s dv)^2 + (r du cos g)^2) / sin g}, with the errors du and dv of the two
+     * directions.
      *
-     * @return empty for lines that are parallel but for their errors, miss each other, or would meet behind a sensor
+     * @return empty for lines that are parallel to within their errors, miss each other, or would meet behind a sensor
      */
     static Optional<Crossing> of(Bearing one, Bearing other, double time) {
         Position u = one.at(time);

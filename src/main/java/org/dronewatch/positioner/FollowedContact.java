@@ -7,16 +7,16 @@ import java.util.OptionalDouble;
 import org.dronewatch.geometry.Position;
 
 /**
- * What a positioner knows of the contact that it follows. Positions that sensors measured are smoothed and predicted by
- * an {@link AlphaBeta} filter. Where there are directions only, two of them from different places give positions, which
- * go through a separate filter; one alone gives a line. A sighting without a measured elevation keeps the height that
- * other sightings gave.
+ * A positioner's knowledge of the contact that it follows. Positions that sensors measured are smoothed and predicted
+ * by an {@link AlphaBeta} filter. If there are only directions, two of them from different positions give the contact's
+ * positions, which go through a separate filter; one direction alone gives a line. A sighting without a measured
+ * elevation keeps the height that other sightings gave.
  */
 final class FollowedContact {
-    /** A crossing with a smaller error, as a fraction of the range, is a position. */
+    /** A crossing whose error, as a fraction of the range, is smaller than this gives a position. */
     private static final double ACCURATE = 0.1;
 
-    /** Standard errors to either side within which a range lies. */
+    /** A range is taken to lie within this number of standard errors to either side. */
     private static final double DEVIATIONS = 2.0;
 
     /** Crossings that follow each other faster than this, s, would turn their errors into velocities. */
@@ -45,7 +45,7 @@ final class FollowedContact {
         return contact;
     }
 
-    /** When the positioner last received a sighting of it, s. */
+    /** The time at which the positioner last received a sighting of the contact, s. */
     double received() {
         return received;
     }
@@ -53,8 +53,8 @@ final class FollowedContact {
     /**
      * Takes a sighting.
      *
-     * @param time when it was, s
-     * @param now when the positioner received it, s
+     * @param time time of the sighting, s
+     * @param now time at which the positioner received it, s
      */
     void add(Sighting sighting, double time, double now) {
         received = now;
@@ -84,7 +84,7 @@ final class FollowedContact {
         return result;
     }
 
-    /** Where the new direction passes the recent ones from other places. */
+    /** Finds the points at which the new direction passes the recent directions from other positions. */
     private void cross(Bearing bearing, double time) {
         crossing = bearings.values().stream()
                 .filter(other -> other != bearing && bearing.isDirectionOnly() && other.isDirectionOnly())
@@ -102,8 +102,8 @@ final class FollowedContact {
     }
 
     /**
-     * The predicted position at a time, s; empty if no sensor has measured one lately, nor two directions have given
-     * one.
+     * The predicted position at a time, s; empty if no sensor has recently measured a position, and no two directions
+     * have given one.
      */
     Optional<Position> position(double time) {
         return recent(measured, time).or(() -> recent(crossed, time)).map(filter -> filter.at(time));
@@ -113,7 +113,7 @@ final class FollowedContact {
         return filter.filter(known -> time - known.time() <= patience);
     }
 
-    /** The line on which it is, at a time, s, by the sensor that saw it last. */
+    /** The line on which the contact is at a time, s, as seen by the sensor that saw it last. */
     BearingLine line(double time) {
         OptionalDouble size = latest.size();
         double near = 0.0;

@@ -8,7 +8,7 @@ package org.dronewatch.positioner;
  * @param height ratio for the vertical field of view
  */
 public record ImageShape(double width, double height) {
-    /** As wide as it is high. */
+    /** The shape of an image that is as wide as it is high. */
     static final ImageShape SQUARE = new ImageShape(1.0, 1.0);
 
     /** The horizontal field of view, rad, when the stated field of view is {@code fov}. */

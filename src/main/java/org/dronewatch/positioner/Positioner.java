@@ -18,13 +18,13 @@ public final class Positioner {
 
     private static final double LOOKS = 1.5;
 
-    /** Standard errors of a direction to either side that a field of view has to hold. */
+    /** A field of view has to cover this number of standard errors of a direction to either side. */
     private static final double DEVIATIONS = 2.0;
 
-    /** It has turned to a direction when it points this near to it, rad. */
+    /** The positioner has turned to a direction if it points to within this angle of it, rad. */
     private static final double TURNED = 1e-9;
 
-    /** It has zoomed to a field of view when its own is at most this many times as wide. */
+    /** The positioner has zoomed to a field of view if its own is at most this many times as wide. */
     private static final double ZOOMED = 1.05;
 
     private record Cue(double due, int contact, Sighting sighting, double time) {}
@@ -159,7 +159,7 @@ public final class Positioner {
                 track.map(followed -> OptionalInt.of(followed.contact())).orElse(OptionalInt.empty()));
     }
 
-    /** The direction to where the contact is predicted to be; empty if no position is known. */
+    /** The direction to the predicted position of the contact; empty if no position is known. */
     private Optional<Direction> predicted(double now) {
         return track.flatMap(followed -> followed.position(now))
                 .map(place -> place.minus(position))
@@ -167,7 +167,10 @@ public final class Positioner {
                 .map(Direction::of);
     }
 
-    /** Zoomed to a contact as its positioner's settings say, but wide enough for the error of a line. */
+    /**
+     * The field of view for a contact as stated in the positioner's settings, but wide enough for the error of a line,
+     * rad.
+     */
     private double wantedField(boolean holds, Optional<BearingLine> line) {
         if (settings.zoom().isEmpty() || track.isEmpty()) {
             return widest;
@@ -178,11 +181,11 @@ public final class Positioner {
         return holds ? lens.tracked() : Math.min(widest, Math.max(lens.cued(), fitting));
     }
 
-    /** The field of view changes by a constant factor per second. */
+    /** Zooms towards a field of view, which changes by a constant factor per second. */
     private void zoom(ZoomSettings lens, double wanted, double since) {
         double narrowest = Math.min(widest, Math.min(lens.cued(), lens.tracked()));
         double span = Math.log(widest / narrowest);
-        // Without a span there is nothing to limit, and a very short time would make it infinite times 0.
+        // If there is no span, there is nothing to limit, and a very short time would lead to infinity times 0.
         double most = lens.time() > 0.0 && span > 0.0 ? since / lens.time() * span : Double.POSITIVE_INFINITY;
         fov *= Math.exp(limited(Math.log(wanted / fov), most));
     }

@@ -5,28 +5,31 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /**
- * A positioner's search along a line on which a contact is: as the positioner sees them, the points of the line lie on
- * an arc, and their direction is at the angle {@code atan2(h, r - a)} from that of the line, with the distance h of the
- * positioner from the line, the range r of the point and the range a at which the line is nearest to the positioner.
- * Its stops run from near to far, each where that arc leaves the field of view of the one before; after the last stop,
- * the search begins again. For one run, and for use by one thread.
+ * A positioner's search along a line on which a contact is. As seen by the positioner, the points of the line lie on an
+ * arc, and the direction of a point is at the angle {@code atan2(h, r - a)} from that of the line, where h is the
+ * distance of the positioner from the line, r the range of the point, and a the range at which the line is nearest to
+ * the positioner. The stops of the search run from near to far, each at the point where the arc leaves the field of
+ * view at the stop before; after the last stop, the search begins again. For one run, and for use by one thread.
  */
 final class RangeScan {
-    /** Fraction of a field of view between two stops. */
+    /** Distance between two stops as a fraction of the field of view. */
     private static final double OVERLAP = 0.8;
 
-    /** How long it searches where the size puts the contact, before it searches the whole line once, s. */
+    /**
+     * The time for which only the ranges that follow from the contact's size are searched, before the whole line is
+     * searched once, s.
+     */
     private static final double TRUST = 2.0;
 
     private static final double LOOKS = 1.5;
 
     /**
-     * A line is interrupted where it comes nearer to the positioner than the least range, if clearly so: by this
-     * factor.
+     * A line is interrupted where it comes clearly nearer to the positioner than the least range: nearer than this
+     * fraction of it.
      */
     private static final double GRAZING = 0.9;
 
-    /** Where it points, and the range up to which the line has then been searched, m. */
+    /** The direction in which the positioner points, and the range up to which the line has then been searched, m. */
     private record Stop(Direction direction, double covered) {}
 
     private final PositionerSettings settings;
@@ -42,8 +45,8 @@ final class RangeScan {
     /**
      * A search that has not begun.
      *
-     * @param position of the positioner, m
-     * @param interval between two looks of its camera, s
+     * @param position position of the positioner, m
+     * @param interval time between two looks of its camera, s
      */
     RangeScan(PositionerSettings settings, Position position, ImageShape shape, double interval) {
         this.settings = settings;
@@ -52,7 +55,7 @@ final class RangeScan {
         this.stay = Math.max(settings.rangeSearch().dwell(), LOOKS * interval);
     }
 
-    /** Forgets how far it has come. */
+    /** Returns the search to its beginning. */
     void reset() {
         searched = 0.0;
         arrived = Double.NaN;
@@ -61,10 +64,10 @@ final class RangeScan {
     }
 
     /**
-     * Where to point.
+     * The direction in which to point.
      *
-     * @param line on which the contact is now
-     * @param now s
+     * @param line the line on which the contact is now
+     * @param now the present time, s
      * @param fov the field of view with which it searches, rad
      */
     Direction at(BearingLine line, double now, double fov) {
@@ -79,8 +82,8 @@ final class RangeScan {
     }
 
     /**
-     * Must be called when the positioner has reached the direction asked for, at the field of view with which it
-     * searches.
+     * Records that the positioner has reached the requested direction, with the field of view with which it searches;
+     * must be called then.
      */
     void arrive(double now) {
         arrived = Double.isNaN(arrived) ? now : arrived;
@@ -90,7 +93,7 @@ final class RangeScan {
         List<double[]> parts = parts(line);
         for (int i = 0; i < parts.size(); i++) {
             if (searched < parts.get(i)[1]) {
-                // Once its end is reached, a part is done, though it may grow while the contact moves.
+                // A part is done once its end has been reached, even if it grows later as the contact moves.
                 double after = i + 1 < parts.size() ? parts.get(i + 1)[0] : Double.POSITIVE_INFINITY;
                 return stop(line, Math.max(searched, parts.get(i)[0]), parts.get(i)[1], after, fov);
             }
@@ -101,14 +104,17 @@ final class RangeScan {
         return next(line, now, fov);
     }
 
-    /** What is to be searched: ranges from and up to which it lies far enough from both sensors, m. */
+    /**
+     * The parts of the line that are to be searched: pairs of ranges between which the line is far enough from both
+     * sensors, m.
+     */
     private List<double[]> parts(BearingLine line) {
         double least = settings.rangeSearch().minRange();
         double near = isWhole ? least : Math.max(least, line.near());
         double far = isWhole ? Double.POSITIVE_INFINITY : Math.max(near, line.far());
         double nearest = position.minus(line.from()).dot(line.unit());
         double aside = aside(line).length();
-        // A gap that is hardly one would let the search fall back over it while the line moves.
+        // A very small gap would let the search fall back across it as the line moves.
         if (aside > GRAZING * least) {
             return List.of(new double[] {near, far});
         }
@@ -123,7 +129,7 @@ final class RangeScan {
         return parts.isEmpty() ? List.of(new double[] {near, far}) : parts;
     }
 
-    /** From the positioner to the nearest point of the line, m. */
+    /** The vector from the positioner to the nearest point of the line, m. */
     private Position aside(BearingLine line) {
         Position offset = line.from().minus(position);
         return offset.minus(line.unit().times(offset.dot(line.unit())));
@@ -145,13 +151,14 @@ final class RangeScan {
     }
 
     /**
-     * How far along the arc the field of view reaches, rad: it depends on whether the arc is level or upright there.
+     * The angle that the field of view covers along the arc, rad: it depends on whether the arc is level or upright
+     * there.
      */
     private double step(Position unit, Position across, double angle, double fov) {
         Position to = unit.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
         Position along = across.times(Math.cos(angle)).minus(unit.times(Math.sin(angle)));
         double level = Math.hypot(to.x(), to.y());
-        // Straight up all directions are level.
+        // At a point straight up, all directions are level.
         double aside = level > 0.0 ? Math.abs(along.x() * to.y() - along.y() * to.x()) / level : 1.0;
         double upwards = Math.sqrt(Math.max(0.0, 1.0 - aside * aside));
         return OVERLAP * Math.min(shape.across(fov) / aside, shape.upwards(fov) / upwards);

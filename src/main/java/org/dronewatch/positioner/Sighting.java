@@ -36,7 +36,8 @@ public record Sighting(
     }
 
     /**
-     * This sighting with the elevation at which a place is seen from the sensor, in place of one that was not measured.
+     * This sighting, with the elevation at which a position is seen from the sensor instead of an elevation that was
+     * not measured.
      */
     Sighting atHeightOf(Position place) {
         double elevation = Direction.of(place.minus(from)).elevation();

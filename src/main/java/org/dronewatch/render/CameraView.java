@@ -20,7 +20,9 @@ import org.dronewatch.sensor.optics.PictureSettings;
  * the run's history; a camera on a fixed mount needs no history. Not thread-safe.
  */
 public final class CameraView {
-    /** Times that are equal but for rounding are the same look, as a fraction of the interval between looks. */
+    /**
+     * Times that differ by less than this fraction of the interval between looks, as by rounding, belong to one look.
+     */
     private static final double SAME = 1e-6;
 
     private final SensorSettings<?> sensor;
@@ -47,8 +49,8 @@ public final class CameraView {
      *
      * @param id id of the camera in its scene
      * @param sensor settings of an imaging sensor
-     * @param pointings gives the pointing of the camera's positioner at a time, s since the start of the run; an empty
-     *     result for a camera on a fixed mount
+     * @param pointings returns the pointing of the camera's positioner at a time, s since the start of the run; an
+     *     empty result for a camera on a fixed mount
      * @throws IllegalArgumentException if the sensor takes no pictures
      */
     public CameraView(String id, SensorSettings<?> sensor, Stage stage, DoubleFunction<Optional<Pointing>> pointings) {

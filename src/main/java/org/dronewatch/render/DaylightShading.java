@@ -25,13 +25,13 @@ final class DaylightShading {
     /**
      * The colour of a surface.
      *
-     * @param colour in full light
-     * @param nx unit normal, to either side
-     * @param ny unit normal
-     * @param nz unit normal
-     * @param dx from the eye to it, of unit length
-     * @param dy from the eye to it
-     * @param dz from the eye to it
+     * @param colour colour in full light
+     * @param nx x of the unit normal, to either side
+     * @param ny y of the unit normal
+     * @param nz z of the unit normal
+     * @param dx x of the unit vector from the eye to the surface
+     * @param dy y of that vector
+     * @param dz z of that vector
      * @param sun visible fraction of the sun, 0 to 1
      */
     static int shade(int colour, double nx, double ny, double nz, double dx, double dy, double dz, double sun) {
@@ -42,7 +42,7 @@ final class DaylightShading {
         return scaled(colour, SKY * sky + SUN * sun * direct + EYE * Math.abs(facing));
     }
 
-    /** Whether a surface is turned to the sun, seen from where a direction comes from. */
+    /** Whether the side of a surface that is seen along a direction is turned to the sun. */
     static boolean isTurnedToSun(double nx, double ny, double nz, double dx, double dy, double dz) {
         boolean front = nx * dx + ny * dy + nz * dz < 0.0;
         return nx * SUN_X + ny * SUN_Y + nz * SUN_Z > 0.0 == front;
@@ -57,7 +57,7 @@ final class DaylightShading {
         return r << 16 | g << 8 | b;
     }
 
-    /** The sky in a direction whose vertical part, of 1, is this. */
+    /** The colour of the sky in a direction, given the vertical component of its unit vector. */
     static int sky(double up) {
         return up >= 0.0
                 ? Canvas.mix(HORIZON, ZENITH, Math.min(1.0, 1.4 * up))

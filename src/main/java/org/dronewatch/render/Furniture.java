@@ -39,7 +39,7 @@ final class Furniture {
     private final double scale;
     private final int margin;
     private final List<Rectangle> occupied = new ArrayList<>();
-    /** What the credits take up at the bottom on the right. */
+    /** The height that the credits take up in the lower right corner, pixels. */
     private int credited;
 
     Furniture(Graphics2D g, int width, int height, double scale) {
@@ -73,8 +73,8 @@ final class Furniture {
     }
 
     /**
-     * Title and time, and below a line for each kind of sensor, one for what is protected, one for drones, and those of
-     * flights.
+     * Draws title and time and, below them, a line for each kind of sensor, one for what is protected, one for drones,
+     * and those for flights.
      *
      * @param zone whether something is protected
      * @param flights what the colours of flights mean
@@ -152,7 +152,7 @@ final class Furniture {
         }
     }
 
-    /** A bar of 1, 2 or 5 times a power of ten metres. */
+    /** Draws a scale bar of 1, 2 or 5 times a power of ten metres. */
     void scaleBar(double metresPerPixel, boolean everywhere) {
         double wanted = BAR * width * metresPerPixel;
         double power = Math.pow(10.0, Math.floor(Math.log10(wanted)));
@@ -177,12 +177,13 @@ final class Furniture {
         g.draw(new Line2D.Double(left + pixels, top - 4 * scale, left + pixels, top + 4 * scale));
     }
 
-    /** An arrow to the north as it lies in the picture; foreshortened where it points away from the eye. */
+    /** Draws an arrow to the north as it lies in the picture; foreshortened where it points away from the eye. */
     void northArrow(Orbit orbit) {
         int size = px(58);
         int x0 = width - margin - size;
         paper(x0, margin, size, size);
-        // North in the picture: to the right, and up as far as the eye looks down on the ground.
+        // The components of north in the picture: to the right, and upwards, the more so the more steeply the eye looks
+        // down.
         double right = Math.sin(orbit.bearing());
         double up = -Math.cos(orbit.bearing()) * Math.max(0.25, Math.abs(Math.sin(orbit.elevation())));
         double length = Math.hypot(right, up);
@@ -205,7 +206,7 @@ final class Furniture {
                 (cy + (reach + 6 * scale) * uy + 0.36 * metrics.getAscent()));
     }
 
-    /** The credits for the data of the site, in the lower right corner. */
+    /** Draws the credits for the data of the site, in the lower right corner. */
     void credits(List<String> credits) {
         g.setFont(font(Font.PLAIN, 10));
         FontMetrics metrics = g.getFontMetrics();
@@ -226,7 +227,7 @@ final class Furniture {
     }
 
     /**
-     * The colours of levels, how many segments of rays are drawn, and for which time they were traced.
+     * Draws the colours of levels, and states how many segments of rays are drawn and for which time they were traced.
      *
      * @param now time of the picture, s
      */
@@ -279,7 +280,7 @@ final class Furniture {
         return String.format(Locale.ROOT, "(%.1f, %.1f, %.1f) m", position.x(), position.y(), position.z());
     }
 
-    /** How many drones and, where there are some, how many birds fly, with their colours. */
+    /** The number of drones and, if there are any, of birds that fly, with their colours. */
     static Map<String, Color> flying(List<DroneMark> marks) {
         long birds =
                 marks.stream().filter(mark -> mark.drone().settings().isBird()).count();

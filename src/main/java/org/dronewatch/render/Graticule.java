@@ -17,10 +17,10 @@ import org.jogamp.vecmath.Point2d;
 
 /** Meridians and parallels on the plan of a site, with latitudes and longitudes at the right and lower edges. */
 final class Graticule {
-    /** About this many lines cross the shorter side of a picture. */
+    /** The approximate number of lines that cross the shorter side of a picture. */
     private static final double LINES = 5.0;
 
-    /** Points of a line: over 100 km a parallel is 100 m from straight. */
+    /** The number of points of a line: over 100 km, a parallel deviates by 100 m from a straight line. */
     private static final int POINTS = 32;
 
     private static final Color LINE = new Color(20, 30, 40, 70);
@@ -37,9 +37,9 @@ final class Graticule {
     /**
      * A graticule for one picture from above.
      *
-     * @param width of the picture in pixels
-     * @param height of the picture in pixels
-     * @param scale of its letters
+     * @param width width of the picture in pixels
+     * @param height height of the picture in pixels
+     * @param scale scale of its letters
      */
     Graticule(Origin origin, Orbit orbit, int width, int height, double scale) {
         this.geodesy = new Geodesy(origin);
@@ -51,7 +51,8 @@ final class Graticule {
     }
 
     /**
-     * The distance between lines, degrees: the smallest of 1, 2 and 5 times a power of ten that is at least this one.
+     * The distance between lines, degrees: the smallest of 1, 2 and 5 times a power of ten that is not less than a
+     * given distance.
      */
     static double step(double least) {
         double power = Math.pow(10.0, Math.floor(Math.log10(least)));
@@ -136,7 +137,7 @@ final class Graticule {
         }
     }
 
-    /** Where a place at the height of the picture's middle is in it. */
+    /** The pixel at which a place at the height of the orbit's target is drawn; empty if it cannot be drawn. */
     private Optional<Point2d> pixel(double longitude, double latitude) {
         Position target = orbit.target();
         double level = geodesy.onEarth(target).height();

@@ -20,7 +20,7 @@ public record LevelScale(double low, double high) {
         }
     }
 
-    /** The scale that has all levels in it, dB, in steps of 5 dB. */
+    /** The scale for some levels, dB, with limits that are multiples of 5 dB. */
     static LevelScale of(float[] levels) {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;

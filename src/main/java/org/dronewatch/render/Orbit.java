@@ -20,7 +20,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
     /** Near-orthographic field of view for plans and side views, which are rendered from far away, rad. */
     private static final double NARROW = Math.toRadians(2.0);
 
-    /** Straight up or down, a horizon has no bearing: the orbit ends shortly before, rad. */
+    /** The steepest elevation, rad: just short of straight up or down, where the view would have no bearing. */
     private static final double STEEPEST = Math.toRadians(89.9);
 
     private static final double NEAREST = 0.05;
@@ -51,7 +51,7 @@ public record Orbit(Position target, double bearing, double elevation, double di
     /** A plan view, north up, with all of a box in a picture with a given ratio of width to height. */
     public static Orbit top(AABB box, double aspect) {
         double high = Math.max(box.maxY() - box.minY(), (box.maxX() - box.minX()) / aspect);
-        // As if the eye had come from the south and risen: then north is up, and turning goes on from there.
+        // As if the eye had come from the south and risen: then north is up, and turning continues from there.
         return flat(box, Math.PI, 0.5 * Math.PI, high);
     }
 

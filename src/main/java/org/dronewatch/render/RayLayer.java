@@ -10,7 +10,7 @@ import org.dronewatch.sensor.optics.CameraObject;
 final class RayLayer {
     private volatile Rayed rayed;
 
-    /** A backdrop with rays, kept until others are requested: rays stay as they are while time goes on. */
+    /** A backdrop with rays, kept until others are requested: rays stay as they are while time passes. */
     private record Rayed(Backdrop backdrop, RecordedRays rays, RayFilter filter, double pixel, Canvas canvas) {
         boolean is(Backdrop other, RecordedRays otherRays, RayFilter otherFilter, double otherPixel) {
             return backdrop == other && rays == otherRays && filter.equals(otherFilter) && pixel == otherPixel;
@@ -30,7 +30,7 @@ final class RayLayer {
         return known.canvas();
     }
 
-    /** The more rays there are, the paler each is drawn; those that are heard last, over the others. */
+    /** The more rays there are, the paler each is drawn; those that are heard are drawn last, over the others. */
     private static void drawRays(
             CameraObject camera, Cut cut, Canvas canvas, RecordedRays rays, RayFilter filter, double pixel, int most) {
         int[] shown = filter.pieces(rays, most);

@@ -11,7 +11,7 @@ public final class RecordedRays {
     /** Coordinates of the two ends of a segment. */
     static final int ENDS = 6;
 
-    /** Pieces that meet at a point differ there by rounding, m. */
+    /** The ends of segments that meet at a point may differ by this much because of rounding, m. */
     private static final double SAME = 1e-3;
 
     private final String sensor;
@@ -25,7 +25,7 @@ public final class RecordedRays {
     private final int maxOrder;
     private final LevelScale scale;
 
-    /** Rays in arrays that are handed over. */
+    /** Rays in arrays, which this object takes over. */
     RecordedRays(
             String sensor,
             String drone,

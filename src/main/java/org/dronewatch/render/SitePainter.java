@@ -70,7 +70,8 @@ final class SitePainter {
      * Paints the world and the sky.
      *
      * @param cut clipping plane, or null for none
-     * @param shadows whether surfaces are tested for the sun's shadows: about as much work again as single rays
+     * @param shadows whether surfaces are tested for the sun's shadows, which is about as much work again as single
+     *     rays
      * @param abandoned queried before each tile: once it is true, the rest stays unpainted
      */
     void paint(CameraObject camera, Cut cut, boolean shadows, Canvas canvas, BooleanSupplier abandoned) {
@@ -156,8 +157,8 @@ final class SitePainter {
     }
 
     /**
-     * The first surface that shows its front: one looks into a building that is cut open through the backs of its
-     * walls. Where the cut goes through something solid, the cut itself.
+     * The first surface that shows its front, so that the viewer looks into a building that is cut open through the
+     * backs of its walls; where the cut goes through something solid, the cut itself.
      */
     private boolean firstToShow(Shot shot, Brush brush, double from, double to) {
         double[] eye = shot.eye();
@@ -182,7 +183,10 @@ final class SitePainter {
         return true;
     }
 
-    /** Whether a point from which a back is seen ahead lies inside something solid: then one is seen behind it, too. */
+    /**
+     * Whether a point from which a back is seen ahead lies inside something solid: then a back is also seen in the
+     * opposite direction.
+     */
     private boolean isInsideSolid(double[] eye, Brush brush, double at) {
         double[] d = brush.direction;
         return brush.single.closestHit(

@@ -4,11 +4,11 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.parallel.Workers;
 import org.dronewatch.render.canvas.Canvas;
 
-/** Lays a skin over a backdrop, and keeps the last result: it stays as it is while time goes on. */
+/** Lays a skin over a backdrop, and keeps the last result: it stays the same as time passes. */
 final class SkinLayer {
     /**
-     * What slopes more than this does not face up: the cosine of 75 degrees, so that steep hillsides and roofs do, but
-     * not walls.
+     * The cosine of the greatest slope of a surface that faces up: 75 degrees, so that steep hillsides and roofs face
+     * up, but not walls.
      */
     private static final double LEAST_UPWARD = 0.26;
 

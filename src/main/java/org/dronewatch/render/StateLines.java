@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
 
 /** Draws the lines of a site's state: fields of view, protected zones and flights. */
 final class StateLines {
-    /** The protected zone. */
+    /** The colour of protected zones. */
     static final Color ZONE = new Color(0xc0392b);
 
     private static final int TRACK = 0xd62f1f;
@@ -31,14 +31,14 @@ final class StateLines {
     /**
      * Lines of one picture.
      *
-     * @param pixel width of a pixel of the screen in those of the canvas
+     * @param pixel width of a pixel of the screen, in pixels of the canvas
      */
     StateLines(LinePainter lines, double pixel) {
         this.lines = lines;
         this.pixel = pixel;
     }
 
-    /** Protected zones. */
+    /** Draws the protected zones. */
     void zones(Protection protection) {
         protection.zone().ifPresent(zone -> new OutlinePainter(lines, zone.radius())
                 .draw(zone.centre(), new Outline.Ball(zone.radius()), 1.6 * pixel, ZONE.getRGB() & 0xffffff, 0.85));
@@ -47,9 +47,9 @@ final class StateLines {
     }
 
     /**
-     * Fields of view.
+     * Draws the fields of view.
      *
-     * @param length up to which those of cameras are drawn, m
+     * @param length length to which the fields of view of cameras are drawn, m
      */
     void outlines(SiteState state, KindColours colours, double length) {
         for (SensorMark sensor : state.sensors()) {
@@ -62,7 +62,7 @@ final class StateLines {
         }
     }
 
-    /** A plumb line, which shows a drone's height. */
+    /** Draws a plumb line, which shows a drone's height. */
     void plumbLine(DroneMark drone, World world) {
         Position at = drone.drone().origin();
         world.closestHit(new Ray(at, new Position(0, 0, -1))).ifPresent(ground -> {
@@ -72,8 +72,8 @@ final class StateLines {
     }
 
     /**
-     * Parts of flights with a white edge, in the colours of the sensors that detect the drone there; dashed where none
-     * does.
+     * Draws parts of flights with a white edge, in the colours of the sensors that detect the drone there; dashed where
+     * none does.
      *
      * @param dash length of a dash and of the gap behind it, m
      */
@@ -86,7 +86,7 @@ final class StateLines {
         }
     }
 
-    /** Lines with a dark edge, in the colours of their pieces. */
+    /** Draws lines with a dark edge, in the colours of their pieces. */
     void lines(SiteLines drawn) {
         drawn.lines().forEach(line -> line.pieces().forEach(piece -> draw(piece, 2.0, PLUMB)));
         drawn.lines().forEach(line -> line.pieces()
@@ -110,7 +110,7 @@ final class StateLines {
         }
     }
 
-    /** A drone's path: the past as a line, the future as dashes. */
+    /** Draws a drone's path: the past as a line, the future as dashes. */
     void flight(DroneMark drone) {
         boolean isBird = drone.drone().settings().isBird();
         List<Position> flown = drone.flown();

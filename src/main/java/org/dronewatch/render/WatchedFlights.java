@@ -41,7 +41,7 @@ final class WatchedFlights {
     /**
      * Draws the lines.
      *
-     * @param size of the box of interest, m
+     * @param size size of the box of interest, m
      */
     void draw(StateLines lines, double size) {
         lines.stretches(stretches, watchers, DASH * size);

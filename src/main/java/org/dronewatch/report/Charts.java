@@ -95,7 +95,7 @@ public final class Charts {
                 new BasicStroke(2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10f, new float[] {8f, 6f}, 0f));
     }
 
-    /** Below the plot where the names fit into a line, beside it otherwise. */
+    /** Places the legend below the plot if the names fit into one line, otherwise beside the plot. */
     private static void placeLegend(XYChart chart) {
         int line = chart.getSeriesCollection().stream()
                 .mapToInt(series ->

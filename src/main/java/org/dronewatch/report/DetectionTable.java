@@ -9,7 +9,7 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
 
 /** The rows of {@code detections.csv}: what sensors gain, lose, and mistake for a drone. */
 final class DetectionTable {
-    /** Its columns. */
+    /** The columns of the table. */
     static final String COLUMNS = "run,time_s,event,sensor,kind,drone,range_m,value,threshold,unit,heard_s";
 
     private final Table table;
@@ -18,7 +18,10 @@ final class DetectionTable {
         this.table = table;
     }
 
-    /** A sensor gains or loses a drone; if it begins to detect a bird, that is a false alarm with its name. */
+    /**
+     * Adds that a sensor gains or loses a drone; if the sensor begins to detect a bird, that is a false alarm with the
+     * bird's name.
+     */
     void add(DetectionEvent event) {
         Observation observation = event.observation();
         if (event.gained() || !observation.isBird()) {
@@ -27,7 +30,10 @@ final class DetectionTable {
         }
     }
 
-    /** A false alarm has its own event, and no drone; one that lasts is a row when it begins. */
+    /**
+     * Adds false alarms, which have an event of their own kind and no drone; one that lasts has a single row, for its
+     * beginning.
+     */
     void addFalseAlarms(Frame frame) {
         for (Observation observation : frame.observations()) {
             if (FalseAlarmSource.isNew(observation) && observation.isDetected()) {

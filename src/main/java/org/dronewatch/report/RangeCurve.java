@@ -34,7 +34,7 @@ final class RangeCurve {
         this.thresholds.put(run, OptionalDouble.of(first.threshold()));
     }
 
-    /** Adds what was measured later in the first run. */
+    /** Adds a measurement from later in the first run. */
     void add(Observation observation) {
         // Where detection is random, each look has a different threshold: no line can represent them.
         if (observation.threshold() != firstThreshold) {
@@ -94,7 +94,8 @@ final class RangeCurve {
     }
 
     /**
-     * Whether the drone kept its range, as one that hovers before a fixed sensor does: then there is no line to draw.
+     * Whether the drone kept its range, as one that hovers in front of a fixed sensor does: then there is no line to
+     * draw.
      */
     boolean isOfOneRange() {
         return ranges.stream().distinct().count() == 1;

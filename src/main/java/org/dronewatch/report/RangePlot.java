@@ -171,7 +171,10 @@ final class RangePlot {
         return values.isEmpty() ? "" : ", " + values;
     }
 
-    /** The settings of the run of a number, which is not its index in a sweep of which only some runs were made. */
+    /**
+     * The settings of the run with a given number, which differs from its index if only some runs of the sweep were
+     * made.
+     */
     private SceneSettings settings(int run) {
         return result.runs().stream()
                 .filter(one -> one.run() == run)
@@ -180,7 +183,10 @@ final class RangePlot {
                 .settings();
     }
 
-    /** Grey for the only threshold; that of the only curve it belongs to; or one that no curve has. */
+    /**
+     * The colour of a threshold: grey if it is the only one, that of its curve if it belongs to only one, otherwise one
+     * that no curve has.
+     */
     private Color colourOf(Set<Integer> runs, int number) {
         if (thresholds.size() == 1) {
             return Color.GRAY;

@@ -37,7 +37,7 @@ final class RangePlots {
     /**
      * Writes a plot for each sensor.
      *
-     * @param files gives the file of a plot, by the name of its sensor and its caption
+     * @param files returns the file of a plot, by the name of its sensor and its caption
      */
     void write(SceneResult result, BiFunction<String, String, Path> files) {
         sensors.keySet().forEach(sensor -> {

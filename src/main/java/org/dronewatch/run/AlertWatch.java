@@ -195,7 +195,10 @@ public final class AlertWatch {
         return new AlertResult(run, drone.id(), firstSight, alert, distance, warning, entered, zone, inTime);
     }
 
-    /** Which zone it enters first, or else is nearest to at its alert; only zones with names are distinguished. */
+    /**
+     * The name of the zone that a drone enters first or, if it enters none, to which it is nearest at its alert; only
+     * zones with names are distinguished.
+     */
     private Optional<String> zone(String drone, OptionalDouble entered, Optional<Position> atAlert, Stage stage) {
         if (protection.areas().isEmpty()) {
             return Optional.empty();

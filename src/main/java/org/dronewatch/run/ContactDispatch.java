@@ -25,7 +25,7 @@ final class ContactDispatch {
     /**
      * A dispatch to an alert rule, without positioners yet.
      *
-     * @param alerts of the run
+     * @param alerts alerts of the run
      */
     ContactDispatch(AlertLog alerts) {
         this.alerts = alerts;

@@ -78,7 +78,7 @@ public final class ZoneApproach {
         return before - end > ROUNDING;
     }
 
-    /** The number of whole segments in which it certainly flies less than a distance, m. */
+    /** The number of whole segments in which the drone certainly flies less than a distance, m. */
     private int within(double distance) {
         double segments = (distance - ROUNDING) / reach;
         return segments >= 1.0 ? (int) Math.min(segments, SEGMENTS) : 0;

@@ -86,7 +86,7 @@ public final class PlaceForms {
      *
      * @param option name of the option in messages, such as {@code --from}
      * @param directory directory against which relative file names are resolved
-     * @param maps gives the features of a map
+     * @param maps returns the features of a map
      * @throws InputException with a one-line message when the text is not a place, or the place has no position
      */
     public static Position parse(

@@ -84,7 +84,7 @@ public record SceneCondition(String name, List<Change> changes) {
             throw new InputException(node.mark() + ": "
                     + (path.isEmpty()
                             ? "must give settings by their paths, as in 'world.rain: 10 mm/h'"
-                            : PlainText.value(path) + ": must be a single value, or values by name"));
+                            : PlainText.value(path) + ": must be a single value, or named values"));
         }
     }
 }

@@ -17,7 +17,7 @@ import org.dronewatch.setting.SettingsForm;
  * aim are kept; each part has the positioner that its system specifies, if any.
  *
  * @param id what the scene calls the system, whose parts it calls {@code ID-radar} and so on, or the sensor
- * @param name what is put there
+ * @param name name of the system or the sensor that is put there
  */
 record SystemSwap(Catalog catalog, String id, String name) {
     private static final String POSITION = "position";

@@ -20,9 +20,9 @@ import org.dronewatch.run.model.ModelCache;
  *
  * @param scene the scene to run
  * @param simulator the scene's own simulator
- * @param models where models come from
+ * @param models source of the models
  * @param listeners are notified of each run
- * @param pilots gives the pilot of each run
+ * @param pilots returns the pilot of each run
  * @param notes receives warnings about what pilots do
  * @param control control of each run; a run ends no later than its settings state
  */

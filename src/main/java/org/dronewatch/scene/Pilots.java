@@ -7,7 +7,7 @@ import org.dronewatch.setting.InputException;
  * The pilots of the runs of a scene. If one cannot be made, that is a mistake of its author, which is reported in one
  * line.
  *
- * @param source gives a new pilot for each run
+ * @param source returns a new pilot for each run
  */
 record Pilots(Supplier<Pilot> source) implements Supplier<Pilot> {
 

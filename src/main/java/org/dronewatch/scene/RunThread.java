@@ -25,7 +25,7 @@ final class RunThread implements EventListener {
     /**
      * Listens to nothing yet.
      *
-     * @param current gives the stage of the current run; empty if there is none
+     * @param current returns the stage of the current run; empty if there is none
      */
     RunThread(Supplier<Optional<Stage>> current) {
         this.current = current;

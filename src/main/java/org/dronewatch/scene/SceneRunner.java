@@ -123,7 +123,7 @@ public final class SceneRunner {
     /**
      * Sets the pilot that steers the drones whose flight is {@code steered}, instead of the scene's own.
      *
-     * @param source gives a new pilot for each run
+     * @param source returns a new pilot for each run
      */
     public SceneRunner pilot(Supplier<Pilot> source) {
         this.pilots = new Pilots(source);

@@ -9,7 +9,7 @@ import org.dronewatch.sensor.acoustic.AcousticSettings;
 import org.dronewatch.sensor.acoustic.level.LevelModel;
 import org.dronewatch.sensor.camera.CameraSettings;
 
-/** Whether a quadrotor that hovers in a church is both seen and heard, by a camera and a microphone 10 m from it. */
+/** A quadrotor hovers in a church: is it both seen and heard, by a camera and a microphone 10 m from it? */
 public final class ClosedSpace extends Scene {
     private static final Position DRONE = new Position(5, 0, 5);
     private static final Position SENSORS = new Position(-5, 0, 5);

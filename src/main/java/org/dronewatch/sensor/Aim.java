@@ -13,7 +13,7 @@ public sealed interface Aim permits Aim.Direction, Aim.Target {
     double NEAREST = 0.001;
 
     /**
-     * A vector from a sensor in the direction in which it points, of any non-zero length.
+     * A vector of any non-zero length from a sensor, in the direction in which the sensor points.
      *
      * @param sensor position of the sensor, m
      * @throws IllegalArgumentException when the point at which the sensor aims is less than a millimetre away
@@ -49,7 +49,7 @@ public sealed interface Aim permits Aim.Direction, Aim.Target {
             @In(value = Quantity.ANGLE, from = -In.TWO_TURNS, to = In.TWO_TURNS) double azimuth,
             @In(value = Quantity.ANGLE, from = -Math.PI / 2, to = Math.PI / 2) double elevation)
             implements Aim {
-        /** A horizontal aim to the north. */
+        /** A horizontal aim towards the north. */
         @Defaults
         public static final Direction DEFAULT = new Direction(0.0, 0.0);
 

@@ -59,10 +59,10 @@ public interface AssessableSensor extends Sensor {
     /**
      * Assesses a drone as {@link #assess} does, but at less cost where possible, for a field that stores probabilities
      * in steps. A probability other than 0 and 1 may be replaced by another one that counts as equal. Estimates may
-     * draw random numbers other than those of {@code assess} but are as accurate, unless all that has to be decided is
-     * on which side of a limit a probability lies ({@link ProbabilityResolution#isSideOnly}). The quantity may be lower
-     * than that of {@code assess} for a drone that is detected and, if it is an estimate, for one that is missed; the
-     * cause and the obstacle are the same unless they depend on an estimate. Calls {@code assess} unless overridden.
+     * draw random numbers other than those of {@code assess} but are as accurate, unless the only question is on which
+     * side of a limit a probability lies ({@link ProbabilityResolution#isSideOnly}). The quantity may be lower than
+     * that of {@code assess} for a drone that is detected and, if it is an estimate, for one that is missed; the cause
+     * and the obstacle are the same unless they depend on an estimate. Calls {@code assess} unless overridden.
      *
      * @param resolution the probabilities that count as equal; other parameters as for {@link #signal}
      */

@@ -45,7 +45,7 @@ public final class Assessor {
         this.cover = new Cover(world, settings.position());
     }
 
-    /** An equivalent assessor for another thread. Any thread may call this method. */
+    /** An equivalent assessor for use by another thread. Any thread may call this method. */
     public Assessor sibling() {
         Sensor other = sensor instanceof BoundingSensor bounding ? bounding.sibling() : settings.create();
         return new Assessor(id, settings, other, world);
@@ -100,8 +100,8 @@ public final class Assessor {
     }
 
     /**
-     * Bounds for a state of a drone in this assessor's world; see {@link BoundingSensor#bound}. Sensors that are not a
-     * {@link BoundingSensor} and unknown ground are treated as in {@link #boundAtAllHeadings}.
+     * Bounds for a state of a drone in this assessor's world; see {@link BoundingSensor#bound}. A sensor that is not a
+     * {@link BoundingSensor}, and unknown ground, are treated as in {@link #boundAtAllHeadings}.
      */
     public Optional<AssessmentBounds> bound(
             Drone drone, FlightState state, Optional<Pointing> pointing, DoubleToIntFunction steps) {
@@ -152,7 +152,10 @@ public final class Assessor {
                 : Signal.of(probability, seen.value(), seen.unit(), seen.threshold());
     }
 
-    /** The likeliest observation of a drone: a look may omit it, or contain several, and false alarms. */
+    /**
+     * The likeliest observation of a drone: a look may omit the drone, or contain several observations of it, and also
+     * false alarms.
+     */
     private static Optional<Observation> ofDrone(List<Observation> look, Drone drone) {
         return look.stream()
                 .filter(one -> one.drone().equals(drone.id()))
@@ -176,7 +179,7 @@ public final class Assessor {
     }
 
     /**
-     * The signal of a drone if there were nothing but air between it and the sensor; see
+     * The signal that would arrive from a drone if there were nothing but air between it and the sensor; see
      * {@link InterpolableSensor#signalInTheOpen}. Empty for a sensor that is not an {@link InterpolableSensor}.
      */
     public Optional<Signal> signalInTheOpen(Drone drone) {

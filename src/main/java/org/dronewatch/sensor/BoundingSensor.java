@@ -34,7 +34,7 @@ public interface BoundingSensor extends AssessableSensor {
     /**
      * Bounds for a state of a drone; other parameters as for {@link #boundAtAllHeadings}.
      *
-     * @param state the state of flight that is assumed, which is level
+     * @param state the assumed state of flight, which is level
      * @param steps maps a probability to a step, which never decreases as the probability increases; probabilities of
      *     the same step count as equal
      * @return empty where it is faster to assess the drone

@@ -44,7 +44,7 @@ public enum Discrimination {
         if (ratio <= 0.0) {
             return 0.0;
         }
-        // Written like this, it does not fall by a rounding error where the ratio rises, which bounds rely on.
+        // Written like this, the result never falls by a rounding error as the ratio rises; the bounds rely on that.
         return 1.0 / (1.0 + Math.pow(ratio, -2.7 - 0.7 * ratio));
     }
 }

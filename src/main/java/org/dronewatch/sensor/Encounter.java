@@ -46,7 +46,7 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     static final Encounter FIRST = new Encounter(0, false, false);
 
     /**
-     * How long a drone may be out of sight of a sensor within one encounter, s.
+     * The time for which a drone may be out of sight of a sensor within one encounter, s.
      *
      * @param rate looks per second, Hz
      */
@@ -59,7 +59,10 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
         return or(new Encounter(index, seen.sighting().isPresent(), seen.isDetected()));
     }
 
-    /** This encounter after a look with two observations of the drone. */
+    /**
+     * This encounter combined with the other one, which follows from a second observation of the drone in the same
+     * look.
+     */
     Encounter or(Encounter other) {
         return new Encounter(index, isFollowed || other.isFollowed, isFound || other.isFound);
     }
@@ -80,8 +83,8 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
     }
 
     /**
-     * What the probability of a look must reach: what the observer drew, if the drone is known, is found in this look,
-     * or could not be found anyway; infinite while the observer could find it, but has not.
+     * The threshold for the probability of a look: the number drawn for the observer if the drone is known, is found in
+     * this look, or could not be found anyway; infinite while the observer could find the drone but has not.
      *
      * @param isKnown whether the observer need not search
      * @param drone name of the drone
@@ -94,7 +97,10 @@ public record Encounter(long index, boolean isFollowed, boolean isFound) {
         return isSearching && !isSuccessful(look, drone, rate, probability) ? Double.POSITIVE_INFINITY : able;
     }
 
-    /** Whether a search succeeds in the time that a look represents: with {@code 1 - exp(-P time / 3.4 s)}. */
+    /**
+     * Whether a search succeeds in the time that a look represents; the probability of success is
+     * {@code 1 - exp(-P time / 3.4 s)}.
+     */
     private static boolean isSuccessful(Look look, String drone, double rate, double probability) {
         // Nobody has searched before the run begins.
         double time = Math.min(1.0 / rate, look.time());

@@ -19,7 +19,7 @@ public record Explanation(Cause cause, Optional<Obstacle> obstacle, OptionalDoub
     public static final Explanation DETECTED = of(Cause.DETECTED);
 
     /**
-     * Checks that an obstacle is named where one hides the drone, and only there.
+     * Checks that an obstacle is named if, and only if, one hides the drone.
      *
      * @throws IllegalArgumentException when an obstacle is named for another cause, or none is named for a hidden drone
      */

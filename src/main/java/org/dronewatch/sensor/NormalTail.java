@@ -2,10 +2,10 @@ package org.dronewatch.sensor;
 
 /** The tail of the normal distribution: how often noise and errors exceed a limit. */
 public final class NormalTail {
-    /** From here on the continued fraction of the tail converges quickly, below it the series of its complement. */
+    /** The continued fraction of the tail converges quickly from here on; below, the series of its complement does. */
     private static final double FAR = 3.0;
 
-    /** Enough levels of the fraction, and terms of the series, for 1e-14. */
+    /** Number of levels of the fraction, and of terms of the series: enough for a relative error of 1e-14. */
     private static final int LEVELS = 120;
 
     private static final double ROOT_TWO_PI = Math.sqrt(2.0 * Math.PI);

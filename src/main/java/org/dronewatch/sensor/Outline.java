@@ -5,8 +5,8 @@ import java.util.List;
 import org.dronewatch.geometry.Position;
 
 /**
- * The geometry of a sensor's field of view, within its limits of range; it takes no account of occlusion, or of how far
- * the sensor detects a drone.
+ * The geometry of a sensor's field of view, within its limits of range; it does not take into account occlusion, or how
+ * far away the sensor detects a drone.
  */
 public sealed interface Outline {
     /**

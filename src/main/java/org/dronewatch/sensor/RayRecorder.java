@@ -21,7 +21,7 @@ public interface RayRecorder {
      *     re 1 pW
      * @param order number of surfaces that the ray has hit before this segment
      * @param received whether the segment ends at the sensor; in the energy model, whose rays may start from the sensor
-     *     instead of the drone, whether it ends at the other of these two
+     *     instead of the drone, whether the segment ends at whichever of the two the rays do not start from
      */
     void record(
             double fromX,

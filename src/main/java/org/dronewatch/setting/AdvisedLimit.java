@@ -8,7 +8,9 @@ import java.math.RoundingMode;
 public final class AdvisedLimit {
     private static final MathContext DOWN = new MathContext(3, RoundingMode.FLOOR);
 
-    /** A limit that is a round number but for the rounding of its computation is that number. */
+    /**
+     * A limit that differs from a round number only by the rounding errors of its computation counts as that number.
+     */
     private static final double ROUNDING = 1e-12;
 
     private AdvisedLimit() {}

@@ -25,7 +25,7 @@ public final class CanonicalSettings {
     }
 
     private void parts(String path, Record settings) {
-        // All of them, also those that people do not write themselves.
+        // All of them, including those that people do not write themselves.
         for (RecordComponent part : settings.getClass().getRecordComponents()) {
             String name = path.isEmpty() ? part.getName() : path + "." + part.getName();
             add(name, SettingsForm.get(settings, part));

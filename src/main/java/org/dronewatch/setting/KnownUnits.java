@@ -29,7 +29,7 @@ final class KnownUnits {
 
     private KnownUnits() {}
 
-    /** The units of a quantity; the one of a bare number where there are no others. */
+    /** The units of a quantity; only that of a bare number if there are no others. */
     static List<String> of(Quantity quantity) {
         return UNITS.getOrDefault(quantity, quantity.unit().isEmpty() ? List.of() : List.of(quantity.unit()));
     }
@@ -54,7 +54,7 @@ final class KnownUnits {
         return unit.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
     }
 
-    /** Whether a letter too many or too few makes the difference. */
+    /** Whether two words differ only by one letter too many or too few. */
     private static boolean isOneOff(String a, String b) {
         String longer = a.length() > b.length() ? a : b;
         String shorter = a.length() > b.length() ? b : a;

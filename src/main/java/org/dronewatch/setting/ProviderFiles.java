@@ -18,7 +18,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The files on the class path that name the providers of a service. Of a class that two jars have, Java loads the one
+ * The files on the class path that name the providers of a service. If two jars contain the same class, Java loads it
  * from the first jar and never mentions the other: with an old and a new copy of a jar, the order of the class path
  * would decide what runs.
  */

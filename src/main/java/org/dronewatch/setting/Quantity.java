@@ -72,7 +72,9 @@ public enum Quantity {
             Pattern.compile("([-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?)\\s*(\\S*)");
     private static final int LONGEST = 60;
 
-    /** Below the first of these numbers and from the second on, powers of ten are shorter, and easier to compare. */
+    /**
+     * Below the first and from the second of these two numbers on, powers of ten are shorter, and easier to compare.
+     */
     private static final double SMALLEST_PLAIN = 1e-4;
 
     private static final double LARGEST_PLAIN = 1e6;

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The former names of a record's components, see {@link Formerly}. */
+/** The former names of a record's components; see {@link Formerly}. */
 final class Renames {
     private Renames() {}
 

@@ -74,7 +74,7 @@ public final class SettingsForm {
                 .orElse(null);
     }
 
-    /** Settings records of users may be private. */
+    /** Makes a member accessible: settings records of users may be private. */
     private static <M extends AccessibleObject> M opened(M member) {
         member.setAccessible(true);
         return member;

@@ -16,7 +16,7 @@ import java.util.Optional;
  * separated by dots.
  */
 public final class SettingsPath {
-    /** Under this name scene files choose one of several kinds of settings. */
+    /** The name under which scene files choose one of several kinds of settings. */
     private static final String KIND = "kind";
 
     private final String path;
@@ -178,7 +178,7 @@ public final class SettingsPath {
         throw unknown(depth, unwrapped == null ? "is not set" + wholeOf(tree, depth) : "is a single value");
     }
 
-    /** How the setting at a depth, which is not set, is set as a whole. */
+    /** How to set, as a whole, the setting at a depth, which is not set. */
     private String wholeOf(Object tree, int depth) {
         Object parent = tree;
         for (int above = 0; above < depth - 1; above++) {

@@ -77,8 +77,8 @@ public final class Spelling {
     }
 
     /**
-     * Levenshtein's distance, row by row, or that to the best beginning of the name: {@code brik} is meant for
-     * {@code brick_rough}, not for {@code solid}. What is left over of the name counts a little.
+     * Levenshtein's distance, computed row by row, to the name or to the beginning of the name that fits best: {@code
+     * brik} is meant for {@code brick_rough}, not for {@code solid}. The rest of the name counts a little.
      */
     private static double distance(String typed, String name) {
         // A longer text cannot be meant as a name; what a file has instead of a name may be of any length.

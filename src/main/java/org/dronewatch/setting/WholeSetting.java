@@ -42,7 +42,9 @@ final class WholeSetting {
                 + ", as in " + path + "=" + example;
     }
 
-    /** What the text of a record states: all its parts if they are numbers, else the only one without a default. */
+    /**
+     * The parts that the text of a record states: all if they are numbers, otherwise the only one without a default.
+     */
     private static List<RecordComponent> written(SettingsForm form) {
         return form.isNumbers()
                 ? form.parts()

@@ -7,7 +7,7 @@ import java.util.Optional;
 /**
  * A unit in which a number was written, such as rpm for a frequency.
  *
- * @param name as it was written
+ * @param name its name, as it was written
  * @param size its size in the unit of its quantity
  */
 record WrittenUnit(String name, double size) {
@@ -17,8 +17,8 @@ record WrittenUnit(String name, double size) {
     private static final MathContext DIGITS = new MathContext(7);
 
     /**
-     * The unit of a text that its quantity can read; empty if it is the one in which the quantity is displayed anyway,
-     * or does not begin at zero.
+     * The unit in a text that can be read as a value of the quantity; empty if the quantity is displayed in this unit
+     * anyway, or the unit does not begin at zero.
      */
     static Optional<WrittenUnit> of(Quantity quantity, String text) {
         String unit = text.strip().replaceFirst(NUMBER, "");

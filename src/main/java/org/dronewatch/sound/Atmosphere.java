@@ -37,7 +37,7 @@ public record Atmosphere(
     /** Gas constant of dry air, J/(kg K). */
     private static final double DRY_AIR = 287.05;
 
-    /** One minus the ratio of the molar masses of water and dry air. */
+    /** One minus the ratio of the molar mass of water to that of dry air. */
     private static final double VAPOUR_IS_LIGHTER = 0.378;
 
     /**
@@ -86,7 +86,7 @@ public record Atmosphere(
         return SettingsForm.with(this, "wind", other);
     }
 
-    /** Whether the paths of sound are straight: neither wind nor a change of temperature with height. */
+    /** Whether the paths of sound are straight, since there is neither wind nor a change of temperature with height. */
     public boolean isUniform() {
         return temperatureGradient == 0.0 && wind.speed() == 0.0;
     }

@@ -102,7 +102,7 @@ public final class Barrier {
             return 1.0;
         }
         double square = 25.0 * wavelength * wavelength / (span * span);
-        // Close together, the square may be infinite.
+        // For edges close together, the square may be infinite.
         return Double.isInfinite(square) ? 1.0 : (1.0 + square) / (1.0 / 3.0 + square);
     }
 

@@ -37,7 +37,7 @@ public enum Directivity {
         }
     };
 
-    /** Tables that are read when they are needed for the first time. */
+    /** Holds the tables, which are read when they are first needed. */
     private static final class Measured {
         private static final NoiseHemisphere M300 = new NoiseHemisphere("m300_hemisphere.csv");
     }
@@ -85,7 +85,10 @@ public enum Directivity {
         return band > SHELF ? 1.0 : 0.0;
     }
 
-    /** Energy means over the sphere: equal steps of the elevation's sine are equal areas. */
+    /**
+     * The energy means of the gains over the sphere: equal steps of the sine of the elevation correspond to equal
+     * areas.
+     */
     private double[] meanGains() {
         double[] means = new double[OctaveBands.COUNT];
         for (int band = 0; band < means.length; band++) {

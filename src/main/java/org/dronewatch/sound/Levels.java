@@ -27,8 +27,8 @@ public final class Levels {
      * The sound power level of a source (dB re 1 pW) minus its sound pressure level (dB re 20 uPa) at a distance of r
      * metres, due to spherical spreading: {@code 10 lg(4 pi r^2)}, for the reference impedance of 400 Pa s/m.
      *
-     * @param distance above 0, m
-     * @return dB
+     * @param distance distance r, above 0, m
+     * @return the difference, dB
      */
     public static double sphericalSpreading(double distance) {
         return ofRatio(4.0 * Math.PI * distance * distance);

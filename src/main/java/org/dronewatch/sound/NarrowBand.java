@@ -13,7 +13,7 @@ public record NarrowBand(double frequency, double width, int octave) {
     /** Standard deviation of a hovering drone's rotor speed in still air, relative (Heutschi and others 2020). */
     private static final double JITTER = 0.005;
 
-    /** What each metre per second of wind adds to it, s/m. */
+    /** The increase of this jitter for each metre per second of wind, s/m. */
     private static final double JITTER_BY_WIND = 0.0052;
 
     /** Decades from the middle of an octave band to its edges (IEC 61260-1, base ten). */

@@ -13,18 +13,19 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * The sound that a drone radiated in flight over a line of microphones: octave-band levels 1 m from it by the angle
- * from the vertical, below it. Made from a table of third-octave bands by angle along the track and across it. A source
- * has no heading here, so each angle from the vertical has the energy mean over all headings that were measured at it.
+ * The sound that a drone radiated in flight over a line of microphones: octave-band levels at a distance of 1 m below
+ * it, by angle from the vertical. They are computed from a table of third-octave bands by angle along the track and
+ * across it. A source has no heading here, so the level at each angle from the vertical is the energy mean over all
+ * headings that were measured at this angle.
  */
 final class NoiseHemisphere {
     /**
-     * Angles beyond this were not measured: for them, the table has the levels at this angle, reduced by 3.5 dB for
-     * each step.
+     * Angles beyond this were not measured: for them, the table contains the levels at this angle, reduced by 3.5 dB
+     * for each step.
      */
     static final double MEASURED = Math.toRadians(60.0);
 
-    /** Step from one angle to the next, as between the microphones across the track. */
+    /** Step from one angle to the next: the angular spacing of the microphones across the track. */
     private static final double STEP = Math.toRadians(15.0);
 
     private static final int ANGLES = 7;
@@ -32,7 +33,10 @@ final class NoiseHemisphere {
     private static final int HEADINGS = 360;
     private static final double ROUNDING = 1e-9;
 
-    /** Nominal frequencies of the lowest third-octave band of each octave, and of the one above all, Hz. */
+    /**
+     * Nominal frequencies of the lowest third-octave band of each octave, and of the first band above the highest
+     * octave, Hz.
+     */
     private static final int[] LOWEST_THIRD = {50, 100, 200, 400, 800, 1600, 3150, 6300, 12_500};
 
     private final List<Double> along = new ArrayList<>();
@@ -82,7 +86,7 @@ final class NoiseHemisphere {
         return sum / count;
     }
 
-    /** The mean of both sides of the track. */
+    /** The mean over both sides of the track. */
     private double filledIn(int band, double fromVertical) {
         return 0.5 * (energy(band, 0.0, fromVertical) + energy(band, 0.0, -fromVertical));
     }

@@ -69,7 +69,7 @@ public record Wind(
     public double shear(double height, double other) {
         double low = Math.max(0.0, Math.min(height, other));
         double high = Math.max(0.0, Math.max(height, other));
-        // Divided differences of close heights lose digits: the slope in their middle is as good there.
+        // For close heights, a difference quotient loses digits; the slope midway between them is as good.
         double slope = high - low < 1e-3 * (high + roughness)
                 ? 1.0 / (0.5 * (low + high) + roughness)
                 : Math.log1p((high - low) / (low + roughness)) / (high - low);

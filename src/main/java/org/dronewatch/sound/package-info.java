@@ -1,2 +1,2 @@
-/** Acoustic quantities: levels, octave bands, tones; the air; the sound of drones. */
+/** Acoustic quantities such as levels, octave bands and tones; the properties of the air; and the sound of drones. */
 package org.dronewatch.sound;

@@ -1,8 +1,8 @@
 package org.dronewatch.tracking;
 
 /**
- * How likely a look of a sensor was to detect a contact, whether or not it did, for scoring: no sensor knows this about
- * a contact that it has not detected.
+ * The probability with which a look of a sensor would detect a contact, whether or not it did, for scoring: no sensor
+ * knows this about a contact that it has not detected.
  *
  * @param contact number of the contact
  * @param sensor name of the sensor

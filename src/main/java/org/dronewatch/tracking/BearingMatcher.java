@@ -10,7 +10,7 @@ import java.util.function.IntPredicate;
 
 /**
  * Matches false contacts of different sensors as a tracker would: by time and bearing. Drones have one contact for all
- * sensors, which matches no other. Only those confirmed recently enough are remembered.
+ * sensors, which matches no other. Only contacts confirmed recently enough are remembered.
  */
 final class BearingMatcher implements ContactMatcher {
     private final IntPredicate isDrone;
@@ -44,7 +44,7 @@ final class BearingMatcher implements ContactMatcher {
         }
     }
 
-    /** {@inheritDoc} Of those of one sensor within the gate, it is the nearest in bearing. */
+    /** {@inheritDoc} If several contacts of one sensor are within the gate, the one nearest in bearing is returned. */
     @Override
     public List<ConfirmedContact> others(ConfirmedContact confirmed) {
         MatchCandidate own = recent.get(confirmed.contact());
@@ -76,7 +76,7 @@ final class BearingMatcher implements ContactMatcher {
         }
     }
 
-    /** {@inheritDoc} They still count, or did when they were last compared. */
+    /** {@inheritDoc} These were confirmed recently enough to match others, at least when they were last compared. */
     @Override
     public int size() {
         return recent.size();

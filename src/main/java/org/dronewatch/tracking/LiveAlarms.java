@@ -17,15 +17,15 @@ final class LiveAlarms {
     private final Map<Double, Live> byCell = new LinkedHashMap<>();
 
     /**
-     * No false measurements yet, of one sensor.
+     * The alarms of one sensor, without any false measurements yet.
      *
-     * @param patience after how many looks without a measurement a contact ends, 1 or more
+     * @param patience number of looks without a measurement after which a contact ends, 1 or more
      */
     LiveAlarms(int patience) {
         this.patience = patience;
     }
 
-    /** The contact of a measurement, a new one if there is none in its cell. */
+    /** The contact to which a measurement belongs; a new one if there is none in its cell. */
     int contactIn(double cell, IntSupplier next) {
         Live live = byCell.computeIfAbsent(cell, unseen -> new Live(next.getAsInt()));
         live.isSeen = true;
@@ -35,7 +35,7 @@ final class LiveAlarms {
     /**
      * Ends a look of the sensor.
      *
-     * @param missed receives the looks at contacts of which it measured nothing
+     * @param missed receives the looks at contacts of which the sensor measured nothing
      * @param ended receives the contacts of which there will be no more looks
      */
     void endLook(String sensor, double time, Consumer<ContactLook> missed, IntConsumer ended) {

@@ -18,10 +18,10 @@ import org.dronewatch.sensor.alarm.FalseAlarmSource;
  * A perfect association of measurements with contacts, which reads the truth: all measurements of one drone form one
  * contact. It takes the place of a tracker, which this library does not have, and performs at least as well as any
  * tracker. False measurements of one sensor in the same cell, given by {@link FalseAlarmSource#CELL}, form one contact,
- * too, which ends after a number of looks without such a measurement, in a run the number of looks that the
- * confirmation considers; a false measurement without a cell is a separate contact. Contacts are numbered from 1 in the
- * order in which sensors first look at them, whether or not they detect anything: those of drones mostly come before
- * false ones, so nothing may depend on the numbers or on the order of the looks. For use in one run.
+ * too, which ends after a number of looks without such a measurement (in a run, the number of looks that the
+ * confirmation considers); a false measurement without a cell is a separate contact. Contacts are numbered from 1 in
+ * the order in which sensors first look at them, whether or not they detect anything: contacts of drones mostly come
+ * before false contacts, so nothing may depend on the numbers or on the order of the looks. For use in one run.
  *
  * <p>False contacts of different sensors are matched by time and bearing, as by a tracker ({@link #matcher}); a drone's
  * contact, which all sensors share, matches no other.
@@ -50,7 +50,7 @@ public class PerfectAssociation {
     }
 
     /**
-     * Associates the observations made at one time; a sensor without an observation counts as one that did not look.
+     * Associates the observations made at one time; a sensor without an observation counts as if it had not looked.
      *
      * @return each sensor's look at each contact, in the order of the observations
      */
@@ -99,7 +99,7 @@ public class PerfectAssociation {
         });
     }
 
-    /** A contact that will not be seen again. */
+    /** A new contact that will not be seen again. */
     private int single() {
         ended.add(++last);
         return last;
@@ -133,7 +133,7 @@ public class PerfectAssociation {
         return new BearingMatcher(drones::containsKey, gate, within);
     }
 
-    /** How likely each of the latest looks was to detect its contact, for scoring. */
+    /** The probability with which each of the latest looks would detect its contact, for scoring. */
     public List<AssessedLook> assessed() {
         return List.copyOf(assessed);
     }

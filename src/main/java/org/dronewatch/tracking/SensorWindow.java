@@ -22,7 +22,7 @@ final class SensorWindow {
         byBearing.remove(contact);
     }
 
-    /** The one confirmed earliest, if it was before a time, s. */
+    /** The contact that was confirmed earliest, if that was before a time, s. */
     Optional<MatchCandidate> before(double time) {
         return byOrder.isEmpty() || byOrder.first().confirmed().time() >= time
                 ? Optional.empty()
@@ -30,8 +30,9 @@ final class SensorWindow {
     }
 
     /**
-     * The one nearest in bearing to another sensor's contact, if it lies within an angle, rad. Otherwise, and for a
-     * contact without a bearing, the one confirmed last of those that agree with any.
+     * The contact nearest in bearing to another sensor's contact, if it lies within an angle, rad. Otherwise, the last
+     * confirmed of the contacts without a bearing, which agree with any contact; for another contact without a bearing,
+     * the last confirmed of all.
      */
     Optional<MatchCandidate> agreeing(MatchCandidate other, double angle) {
         if (byOrder.isEmpty()) {
@@ -42,7 +43,7 @@ final class SensorWindow {
         }
         MatchCandidate end = other.at(Double.NaN, Long.MIN_VALUE);
         MatchCandidate probe = other.at(other.confirmed().bearing(), Long.MAX_VALUE);
-        // The first and the last one are neighbours across south.
+        // The first and the last contact by bearing are neighbours across south.
         Optional<MatchCandidate> nearest = Stream.of(
                         Optional.ofNullable(byBearing.floor(probe)),
                         Optional.ofNullable(byBearing.higher(probe)),

@@ -19,7 +19,7 @@ import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 import org.dronewatch.world.World;
 
-/** The view through one camera of a run at any time. For one thread at a time, except {@link #describe}. */
+/** The view through one of a run's cameras at any time. For one thread at a time, except {@link #describe}. */
 final class CameraEye {
     private final String id;
     private final SensorSettings<?> sensor;
@@ -34,7 +34,7 @@ final class CameraEye {
     private volatile boolean colour;
 
     /**
-     * A camera's eye.
+     * An eye that looks through a camera.
      *
      * @param sensor settings of an imaging sensor
      * @param pointings where its positioner points at a time; empty for a fixed camera
@@ -62,7 +62,7 @@ final class CameraEye {
         colour = shown;
     }
 
-    /** When its last frame up to a time was, s. */
+    /** The time of its last frame up to a given time, s. */
     double frameTime(double time) {
         return CameraView.lookTime(sensor, time);
     }

@@ -21,7 +21,7 @@ import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.PairReading;
 import org.dronewatch.viewer.run.ViewedRun;
 
-/** All cameras of a run side by side; a click enlarges one, another shows all again. */
+/** All cameras of a run side by side; a click on one enlarges it, another click shows all again. */
 final class CameraPanel extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int GAP = 3;
@@ -40,7 +40,7 @@ final class CameraPanel extends JPanel {
     /**
      * An empty panel.
      *
-     * @param threads how many trace
+     * @param threads number of threads that trace rays
      * @param hint receives what is under the pointer
      * @param selection receives the camera that was clicked on
      * @param failed receives what went wrong
@@ -162,7 +162,7 @@ final class CameraPanel extends JPanel {
                 .map(visual ->
                         new int[] {(int) (visual.frame().width * density), (int) (visual.frame().height * density)})
                 .toList();
-        // The picture is not abandoned: while time goes on, a picture of a time just past is better than none.
+        // The picture is not abandoned: while time passes, a picture of a moment just past is better than none.
         looks.ask(outdated -> {
             for (int i = 0; i < wanted.size(); i++) {
                 CameraVisual visual = wanted.get(i);

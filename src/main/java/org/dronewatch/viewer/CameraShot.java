@@ -13,7 +13,7 @@ import org.dronewatch.sensor.optics.DronePixels;
  *     panel has
  * @param time seconds since the start of the run
  * @param drones the pixels of each drone, at the camera's own resolution
- * @param pointing where its positioner points then; empty for a fixed camera
+ * @param pointing where its positioner points at that time; empty for a fixed camera
  * @param inColour whether the background shows what the camera would photograph
  */
 record CameraShot(

@@ -52,10 +52,10 @@ public final class CameraVisual extends JPanel {
     /** Pictures that are lower than this have room for the camera's name only. */
     private static final int LEGIBLE = 70;
 
-    /** Plates keep this far from the lower edge. */
+    /** The distance of plates from the lower edge, pixels. */
     private static final int EDGE = 4;
 
-    /** From this width on there is room for the magnifier. */
+    /** Pictures that are at least this wide have room for the magnifier. */
     private static final int LARGE = 420;
 
     private final transient CameraEye eye;

@@ -33,7 +33,7 @@ final class Comparing {
     private Optional<String> selected = Optional.empty();
     private double time;
 
-    /** Up to when the other run had been simulated when it was drawn last, s. */
+    /** The time up to which the other run had been simulated when it was last drawn, s. */
     private double reached;
 
     /** A run that another thread will record. */
@@ -42,7 +42,7 @@ final class Comparing {
     /**
      * Compares nothing yet.
      *
-     * @param threads how many paint the other site
+     * @param threads number of threads that paint the other site
      * @param panel chooses the other run
      * @param selection receives the sensor or drone that was clicked on in the other site
      * @param messages receives texts for the status line
@@ -68,7 +68,7 @@ final class Comparing {
         panel.onChange(this::change);
     }
 
-    /** Both views call this for each other: it ends where nothing changes. */
+    /** Both views call this for each other; the calls end when nothing changes. */
     private static void follow(WorldPanel view, WorldPanel leader) {
         boolean isSame = leader.orbit() == null
                 || leader.orbit().equals(view.orbit()) && leader.cut().equals(view.cut());
@@ -117,7 +117,7 @@ final class Comparing {
     }
 
     /**
-     * Takes the runs that have been recorded, and compares at a time, s.
+     * Takes the runs that have been recorded, and compares them at a given time, s.
      *
      * @return whether the other run goes on, so that its site is to be drawn anew
      */
@@ -142,7 +142,7 @@ final class Comparing {
         return reached != before;
     }
 
-    /** Shows a time, s, in the other site; as far as the other run has been simulated. */
+    /** Shows the other site at a given time, s, as far as the other run has been simulated. */
     void showTime(double now, Optional<String> chosen) {
         time = now;
         selected = chosen;

@@ -17,7 +17,7 @@ import org.dronewatch.viewer.part.Texts;
 import org.dronewatch.viewer.run.Playback;
 import org.dronewatch.viewer.run.RecordedRun;
 
-/** Play, pause, step, speed, which run of a sweep, and the time. */
+/** The tool bar for playback: play, pause, step, speed, the run of a sweep, and the time. */
 final class ControlBar extends JToolBar {
     private static final long serialVersionUID = 1L;
     private static final String PLAY = "\u25b6";

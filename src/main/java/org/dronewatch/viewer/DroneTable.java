@@ -8,7 +8,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.viewer.part.TitledTable;
 import org.dronewatch.viewer.run.RecordedRun;
 
-/** Each drone: where it is, how fast, and who detects it. */
+/** A table of the drones: where each one is, how fast it flies, and which sensors detect it. */
 final class DroneTable extends TitledTable {
     private static final long serialVersionUID = 1L;
 
@@ -19,7 +19,7 @@ final class DroneTable extends TitledTable {
         super("drone", "east, north, up [m]", "speed [m/s]", "detected by");
     }
 
-    /** Shows a time of a run. */
+    /** Shows a run at a given time. */
     void show(RecordedRun run, List<Drone> now, double time) {
         boolean others = drones.size() != now.size();
         drones.clear();

@@ -40,7 +40,7 @@ final class Exports {
         this.failed = failed;
     }
 
-    /** Asks for a file and writes an image of a part of the window. */
+    /** Asks for a file, and writes an image of a part of the window to it. */
     void savePicture(Component part, String name) {
         JFileChooser chooser = new JFileChooser();
         chooser.setFileFilter(new FileNameExtensionFilter("PNG pictures", "png"));
@@ -75,7 +75,9 @@ final class Exports {
         return image;
     }
 
-    /** Asks for a directory and a rate and writes the run as numbered images of the site from the current viewpoint. */
+    /**
+     * Asks for a directory and a rate, and writes the run as numbered images of the site from the current viewpoint.
+     */
     void saveRun() {
         Optional<ViewedRun> viewed = pane.viewed();
         if (viewed.isEmpty()) {

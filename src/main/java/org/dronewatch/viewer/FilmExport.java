@@ -42,7 +42,7 @@ final class FilmExport implements AutoCloseable {
     /**
      * The export of films of a pane.
      *
-     * @param failed is given what went wrong
+     * @param failed receives what went wrong
      */
     FilmExport(ViewerPane pane, Exports exports, Consumer<Throwable> failed) {
         this.pane = pane;
@@ -50,12 +50,15 @@ final class FilmExport implements AutoCloseable {
         this.failed = failed;
     }
 
-    /** Asks for times and a file and writes a video of the site from the current viewpoint. */
+    /** Asks for times and a file, and writes a video of the site from the current viewpoint. */
     void saveSite() {
         pane.viewed().ifPresent(viewed -> ask(viewed, "the site").ifPresent(film -> save(site(viewed, film), "site")));
     }
 
-    /** Asks for times and a file and writes a film of the selected camera, or of the first when none is selected. */
+    /**
+     * Asks for times and a file, and writes a video of the selected camera's view, or of the first camera's if none is
+     * selected.
+     */
     void saveCamera() {
         pane.viewed().ifPresent(viewed -> {
             Optional<String> id = camera(viewed);
@@ -164,7 +167,7 @@ final class FilmExport implements AutoCloseable {
         }
     }
 
-    /** Writes a film on a thread, one at a time, with a bar that cancels it. */
+    /** Writes a film on a separate thread, one at a time, with a progress bar that can cancel it. */
     void start(FilmMaker maker, String file) {
         if (isBusy()) {
             pane.notice().show("Another video is still being written: wait until it finishes, or cancel it.");
@@ -211,7 +214,7 @@ final class FilmExport implements AutoCloseable {
         return writing != null && writing.isAlive();
     }
 
-    /** Gives up the film that is being written, and waits until its thread is gone. */
+    /** Abandons the film that is being written, and waits until its thread has ended. */
     @Override
     public void close() {
         closed = true;

@@ -8,7 +8,10 @@ import org.dronewatch.world.World;
 
 /** Finds what a sensor stands on: the ground, a floor or a roof below it. */
 record Foothold(World world) {
-    /** A surface this much higher than a point still carries it, m: depths of pixels are rounded. */
+    /**
+     * A surface that is higher than a point by no more than this still counts as below it, m: depths of pixels are
+     * rounded.
+     */
     private static final double ROUNDED = 0.05;
 
     /** The surface below a position, m; empty where there is none. */
@@ -22,10 +25,10 @@ record Foothold(World world) {
     }
 
     /**
-     * The surface on which something stands once it has been moved to a place, m: the highest there if it stands on the
-     * highest where it is, otherwise the highest below it.
+     * The surface on which something stands once it has been moved to another place, m: the highest one there if it
+     * stands on the highest one where it is now, otherwise the highest one below it.
      *
-     * @param from where it is
+     * @param from where it is now
      */
     OptionalDouble after(Position from, double x, double y) {
         SurfaceColumn here = SurfaceColumn.at(world, from.x(), from.y());

@@ -20,7 +20,7 @@ final class FrameExport {
      * An export.
      *
      * @param directory where the images are written; it must exist
-     * @param duration of the run, s
+     * @param duration duration of the run, s
      * @param rate images per simulated second
      * @param pictures returns the image at a time
      */
@@ -37,10 +37,10 @@ final class FrameExport {
     }
 
     /**
-     * Writes them.
+     * Writes the images.
      *
      * @param progress receives how many are written
-     * @param cancelled queried before each: once it is true, the rest is left out
+     * @param cancelled queried before each image: once it is true, the rest are left out
      * @return how many were written
      */
     int write(IntConsumer progress, BooleanSupplier cancelled) {

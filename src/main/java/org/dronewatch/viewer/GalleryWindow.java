@@ -35,7 +35,7 @@ public final class GalleryWindow {
      * Lets the user choose the scene that is shown first, and returns when one is chosen or the window is closed. Not
      * for the event thread. A scene file with mistakes is reported in the window, which stays open.
      *
-     * @param runners gives the runner of a scene
+     * @param runners returns the runner of a scene
      * @return the scene with its runner; empty if the user closes the window
      * @throws IllegalStateException when there is no display
      */
@@ -115,7 +115,7 @@ public final class GalleryWindow {
         window.pack();
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         Dimension size = window.getSize();
-        // Where the cards have no room beside each other's rows, they scroll.
+        // If there is no room for all rows of cards, they scroll.
         window.setSize(Math.min(size.width, screen.width), Math.min(size.height, screen.height));
         window.setLocationRelativeTo(window.getOwner());
         window.setVisible(true);

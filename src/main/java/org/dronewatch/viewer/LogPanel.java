@@ -16,7 +16,7 @@ import org.dronewatch.viewer.run.RecordedRun;
 final class LogPanel extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Older lines are dropped. */
+    /** Maximum number of lines; older ones are dropped. */
     private static final int MOST = 5000;
 
     /** Maximum number of detections of one run that are written at once: a long run must not hold up the window. */

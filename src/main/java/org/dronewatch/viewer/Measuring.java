@@ -63,7 +63,7 @@ final class Measuring implements WorldTool, AutoCloseable {
         this.painter = new TapePainter(world::pixelOf);
     }
 
-    /** Takes the site of another run; what was measured before is gone. */
+    /** Takes the site of another run; what was measured before is discarded. */
     void show(Stage other) {
         stage = Optional.of(other);
         end();

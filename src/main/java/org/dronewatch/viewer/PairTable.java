@@ -9,7 +9,10 @@ import org.dronewatch.viewer.part.TitledTable;
 import org.dronewatch.viewer.run.PairReading;
 import org.dronewatch.viewer.run.RecordedRun;
 
-/** Each sensor with each drone: whether it detects it, from how far, and its value against the threshold. */
+/**
+ * A table of each sensor with each drone: whether the sensor detects the drone, at what range, and the measured value
+ * against the threshold.
+ */
 final class PairTable extends TitledTable {
     private static final long serialVersionUID = 1L;
 
@@ -39,7 +42,7 @@ final class PairTable extends TitledTable {
         }
     }
 
-    /** Shows a time of a run. */
+    /** Shows a run at a given time. */
     void show(RecordedRun next, double time) {
         if (next != run) {
             run = next;

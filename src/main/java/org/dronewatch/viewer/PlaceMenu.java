@@ -5,14 +5,14 @@ import java.awt.event.KeyEvent;
 import javax.swing.JMenu;
 import javax.swing.KeyStroke;
 
-/** The menu that moves and turns the selected sensor by keys. */
+/** The menu for moving and turning the selected sensor with keys. */
 final class PlaceMenu {
-    /** A key moves a sensor by this, m; with Shift, by ten times as much. */
+    /** The distance by which a key moves a sensor, m; with Shift, ten times as much. */
     private static final double STEP = 1.0;
 
     private static final double FAR = 10.0 * STEP;
 
-    /** A key turns it by this, rad. */
+    /** The angle by which a key turns a sensor, rad. */
     private static final double TURN = Math.toRadians(5.0);
 
     private PlaceMenu() {}

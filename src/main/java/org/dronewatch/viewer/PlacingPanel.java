@@ -27,7 +27,10 @@ import org.dronewatch.viewer.part.WrappedText;
 import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.ViewedRun;
 
-/** Places one sensor by numbers: where it stands, how high above that, and where it points. */
+/**
+ * Places one sensor by numbers: the point over which it stands, its height above the surface there, and where it
+ * points.
+ */
 final class PlacingPanel extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final String DEGREES = " deg";
@@ -231,7 +234,7 @@ final class PlacingPanel extends JPanel {
         tell(layout.redo() ? "The change was redone" : "There is no change to redo");
     }
 
-    /** The settings of the displayed run, with its sensors as the user has put them; null before there is a run. */
+    /** The settings of the displayed run, with its sensors as the user has placed them; null before there is a run. */
     SceneSettings settings() {
         return layout.settings();
     }

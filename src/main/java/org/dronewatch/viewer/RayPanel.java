@@ -52,7 +52,7 @@ final class RayPanel extends JPanel {
     /**
      * An empty panel.
      *
-     * @param threads how many trace
+     * @param threads number of threads that trace rays
      * @param filtered receives the filter for the rays to be drawn
      * @param failed receives what went wrong
      */
@@ -146,7 +146,7 @@ final class RayPanel extends JPanel {
         filtered.accept(filter);
     }
 
-    /** States how many are drawn, of which time, and whether that is still the time shown. */
+    /** States how many rays are drawn, for which time they were traced, and whether that is still the time shown. */
     private void describe() {
         if (rays == null) {
             return;

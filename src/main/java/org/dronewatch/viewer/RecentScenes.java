@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The scene files that the user has opened last, newest first, kept in a small file, a line for each. A file that
+ * The scene files that the user has opened last, newest first, kept in a small file with a line for each. A file that
  * cannot be read or written is not an error: the list is then empty, or not kept.
  */
 final class RecentScenes {

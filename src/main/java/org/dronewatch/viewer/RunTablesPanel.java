@@ -8,7 +8,7 @@ import javax.swing.ListSelectionModel;
 import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.ViewedRun;
 
-/** The tables of a run: each sensor with each drone, and the drones. A click selects. */
+/** The tables of a run: one of each sensor with each drone, and one of the drones. A click on a row selects. */
 final class RunTablesPanel {
     private static final int[] PAIR_COLUMNS = {100, 57, 79, 60, 58, 72, 70};
 
@@ -49,7 +49,7 @@ final class RunTablesPanel {
         return new JScrollPane(table);
     }
 
-    /** Shows a time. */
+    /** Shows a run at a given time. */
     void show(ViewedRun viewed, double time) {
         pairs.show(viewed.run(), time);
         drones.show(viewed.run(), viewed.stage().dronesAt(time), time);

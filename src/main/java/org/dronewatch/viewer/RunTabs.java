@@ -25,7 +25,7 @@ final class RunTabs extends JTabbedPane {
     /** Height of the tabs in which the coverage of several sensors can be read, in pixels of a normal screen. */
     private static final int COVERAGE_HEIGHT = 360;
 
-    /** Space around the name of a tab, in pixels of a normal screen: the look itself scales it. */
+    /** Space around the name of a tab, in pixels of a normal screen: the look and feel scales it itself. */
     private static final int MARGIN = 3;
 
     private final transient RunTablesPanel tables;
@@ -52,9 +52,9 @@ final class RunTabs extends JTabbedPane {
     /**
      * Empty tabs.
      *
-     * @param threads how many trace
+     * @param threads number of threads that trace rays and compute coverage
      * @param world draws rays and coverage
-     * @param stores gives the store of coverages that were computed before, for the settings of a run
+     * @param stores returns the store of coverages that were computed before, for the settings of a run
      * @param layout where the user has put the sensors
      * @param messages receives a line about each change of a setting
      * @param selection receives the sensor or drone that was clicked on
@@ -101,7 +101,7 @@ final class RunTabs extends JTabbedPane {
     }
 
     /**
-     * Selects the coverage, computed as soon as the site is there, and makes room for it.
+     * Selects the coverage, which is computed as soon as the site has been loaded, and makes room for it.
      *
      * @param divider between the cameras and these tabs
      */
@@ -115,7 +115,7 @@ final class RunTabs extends JTabbedPane {
         coverage.computeSoon();
     }
 
-    /** Shows a time in tables and log. */
+    /** Updates the tables and the log to a given time. */
     void update(ViewedRun viewed, double time) {
         tables.show(viewed, time);
         log.update(viewed.run());

@@ -22,8 +22,8 @@ import org.dronewatch.viewer.part.Latest;
 import org.dronewatch.viewer.part.QuickItem;
 
 /**
- * Opens other scenes, files or packaged ones: reads and checks them on a thread, so that a file with mistakes leaves
- * the window as it is.
+ * Opens other scenes, files or packaged ones: reads and checks them on a separate thread, so that a file with mistakes
+ * leaves the window as it is.
  */
 final class SceneOpening implements AutoCloseable {
     private final RecentScenes recent;
@@ -34,9 +34,9 @@ final class SceneOpening implements AutoCloseable {
     private BooleanSupplier mayLeave = () -> true;
 
     /**
-     * An opening.
+     * An opener of scenes.
      *
-     * @param runners gives the runner of a scene
+     * @param runners returns the runner of a scene
      * @param chosen receives the scene on the reading thread
      * @param failed receives the error in a file
      */
@@ -73,7 +73,7 @@ final class SceneOpening implements AutoCloseable {
         }
     }
 
-    /** Opens a file; one that is gone is no longer offered. */
+    /** Opens a file; a file that no longer exists is removed from the list of recent files. */
     void open(Path file) {
         reading.ask(outdated -> {
             if (!Files.isRegularFile(file)) {
@@ -112,7 +112,7 @@ final class SceneOpening implements AutoCloseable {
         });
     }
 
-    /** Whether the scene that is shown may be left, which the user may be asked. */
+    /** Whether the scene that is shown may be left; the user may be asked. */
     boolean mayLeave() {
         return mayLeave.getAsBoolean();
     }

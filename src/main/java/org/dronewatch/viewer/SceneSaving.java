@@ -11,8 +11,8 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.scenario.SceneWriter;
 
 /**
- * Writes the settings of the run that is shown, with its sensors as the user has put them, as a scene file. All methods
- * are for the event thread.
+ * Writes the settings of the run that is shown, with its sensors as the user has placed them, as a scene file. All
+ * methods are for the event thread.
  */
 final class SceneSaving {
     private static final String ENDING = ".yaml";
@@ -24,8 +24,8 @@ final class SceneSaving {
     /**
      * The saving of the scene of a pane.
      *
-     * @param name of the scene, which is the name of a file unless the user chooses another
-     * @param text gives settings as the text of a file; throws InputException when they cannot be written
+     * @param name name of the scene, which becomes the name of the file unless the user chooses another
+     * @param text returns settings as the text of a file; throws InputException when they cannot be written
      */
     SceneSaving(ViewerPane pane, String name, BiFunction<SceneSettings, Path, String> text) {
         this.pane = pane;

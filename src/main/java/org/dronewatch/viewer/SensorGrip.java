@@ -4,15 +4,17 @@ import java.util.Optional;
 import org.dronewatch.geometry.Position;
 import org.jogamp.vecmath.Point2d;
 
-/** Drags the selected sensor through the site: what it stands on follows the pointer. For the event thread. */
+/**
+ * Drags the selected sensor through the site: the point on which it stands follows the pointer. For the event thread.
+ */
 final class SensorGrip implements WorldGrip {
-    /** The place below a sensor is visible if what is drawn there is this near, m. */
+    /** The place below a sensor counts as visible if what is drawn at its pixel is within this distance of it, m. */
     private static final double SAME = 2.0;
 
     private final WorldPanel world;
     private final SensorMover mover;
 
-    /** From the pointer to the place below the sensor, in pixels. */
+    /** The offset from the pointer to the place below the sensor, in pixels. */
     private double right;
 
     private double down;

@@ -70,7 +70,7 @@ final class SensorMover {
                 .orElse("Select a sensor first: click on its symbol");
     }
 
-    /** Where the selected sensor stands, m: on what is below it; empty in the air beyond the site. */
+    /** The point on which the selected sensor stands, m; empty in the air beyond the site. */
     Optional<Position> foot() {
         return movable().flatMap(sensor -> {
             Position at = sensor.position();

@@ -54,7 +54,7 @@ final class SiteRenderer implements AutoCloseable {
         backdrop = null;
     }
 
-    /** Shows the site from elsewhere; while it moves, only as finely as keeps the motion smooth. */
+    /** Shows the site from another viewpoint; while the view moves, only as finely as keeps the motion smooth. */
     void look(Wish wish, boolean moving) {
         SitePicture painting = picture;
         if (painting != null) {
@@ -122,7 +122,7 @@ final class SiteRenderer implements AutoCloseable {
         }
     }
 
-    /** The site as it is painted now, if it is. */
+    /** The site as it is painted now; empty before it has been painted. */
     Optional<Backdrop> backdrop() {
         return Optional.ofNullable(backdrop);
     }

@@ -19,7 +19,7 @@ import org.dronewatch.viewer.run.ViewedRun;
 final class SiteSection extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** A view from near shows this fraction of the site's extent. */
+    /** The fraction of the site's extent that a close-up view shows. */
     private static final double NEAR = 0.12;
 
     private static final double NEAREST = 4.0;
@@ -36,7 +36,7 @@ final class SiteSection extends JPanel {
     /**
      * An empty section.
      *
-     * @param threads how many paint the site
+     * @param threads number of threads that paint the site
      * @param failed receives what went wrong
      */
     SiteSection(int threads, Consumer<Throwable> failed) {
@@ -53,7 +53,7 @@ final class SiteSection extends JPanel {
         focus = target;
     }
 
-    /** The views, new ones for each bar and menu. */
+    /** The actions that select a view, created anew for each bar and menu. */
     List<Action> views() {
         return List.of(
                 view(
@@ -90,7 +90,7 @@ final class SiteSection extends JPanel {
         world.show(next.picture(), from, cut);
     }
 
-    /** Looks at a place, m, from near; there must be a run. */
+    /** Shows a close-up of a place, m; there must be a run. */
     void focusOn(Position at) {
         double high = Math.max(NEAREST, NEAR * viewed.picture().interest().diagonal());
         world.move(world.orbit().at(at).showing(high));

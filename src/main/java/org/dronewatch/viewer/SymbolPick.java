@@ -9,8 +9,8 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.render.SiteState;
 
 /**
- * Which sensor or drone a click selects. Of symbols that cover each other, such as those of sensors on one mast, each
- * click on the same place selects the next.
+ * The sensor or drone that a click selects. Where symbols cover each other, such as those of sensors on one mast, each
+ * further click on the same place selects the next.
  *
  * @param chosen its name; empty if no symbol is near
  * @param number its number among those that cover each other, from 1; 0 if no symbol is near
@@ -26,8 +26,8 @@ record SymbolPick(Optional<String> chosen, int number, int together) {
      * Picks a symbol.
      *
      * @param state what is drawn, with what is selected
-     * @param distance of a place from the pointer, in pixels
-     * @param near a symbol is hit if it is nearer, in pixels
+     * @param distance distance of a place from the pointer, in pixels
+     * @param near distance within which a symbol is hit, in pixels
      */
     static SymbolPick of(SiteState state, ToDoubleFunction<Position> distance, double near) {
         List<Symbol> hit = new ArrayList<>();

@@ -45,12 +45,12 @@ final class TimeLine extends JPanel implements Scrollable {
     private static final int HIGHEST = 230;
     private static final int NEAR = 6;
 
-    /** The largest fraction of the window that it takes before its rows scroll. */
+    /** The largest fraction of the window's height that the time line takes before its rows scroll. */
     private static final double MOST_OF_WINDOW = 0.28;
 
     private static final double NAME_FONT = 0.9;
 
-    /** Names take at most this fraction of the width. */
+    /** The greatest fraction of the width that names take up. */
     private static final double NAMES = 0.25;
 
     private final transient Playback playback;
@@ -80,11 +80,11 @@ final class TimeLine extends JPanel implements Scrollable {
         addMouseMotionListener(mouse);
     }
 
-    /** This time line in a pane that scrolls its rows and keeps its axis in sight. */
+    /** Puts this time line into a pane that scrolls its rows and keeps its axis in sight. */
     JScrollPane scrolling() {
         JScrollPane pane =
                 new JScrollPane(this, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        // The axis is painted at the lower edge of what is in sight: copying what was painted would smear it.
+        // The axis is painted at the lower edge of the visible part: scrolling by copying pixels would smear it.
         pane.getViewport().setScrollMode(JViewport.SIMPLE_SCROLL_MODE);
         pane.setBorder(null);
         return pane;
@@ -169,7 +169,7 @@ final class TimeLine extends JPanel implements Scrollable {
         repaint();
     }
 
-    /** Where times begin: right of the names, which take as much room as the longest, within limits. */
+    /** Where times begin: to the right of the names, which take as much room as the longest needs, within limits. */
     int left() {
         FontMetrics metrics = nameMetrics();
         int longest = sensors.stream().mapToInt(metrics::stringWidth).max().orElse(0);

@@ -90,7 +90,7 @@ public final class Viewer implements AutoCloseable {
      * Opens the window as {@link #open(Scene, SceneRunner, int)}, with a menu that opens other scenes in the same
      * window. The calling thread is expected to run the scenes one after another: {@link #awaitNext} returns the next.
      *
-     * @param runners gives the runner of a scene that the user opens
+     * @param runners returns the runner of a scene that the user opens
      * @throws IllegalStateException when there is no display
      */
     public static Viewer open(Subject subject, int threads, Function<Scene, SceneRunner> runners) {
@@ -142,7 +142,7 @@ public final class Viewer implements AutoCloseable {
         SwingUtilities.invokeLater(() -> pane.showLines(lines));
     }
 
-    /** Stops the reading of models for a window that is gone. */
+    /** Stops the reading of models for a window that has been closed. */
     private void closing() {
         synchronized (this) {
             closing = true;

@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.Properties;
 
 /**
- * How the user has arranged the window, kept in a small file from one time to the next. A file that cannot be read or
- * written is not an error: the window then has its default layout.
+ * How the user has arranged the window, kept in a small file until the window is next opened. A file that cannot be
+ * read or written is not an error: the window then has its default layout.
  */
 final class ViewerLayout {
     private static final int LARGEST_FILE = 10_000;

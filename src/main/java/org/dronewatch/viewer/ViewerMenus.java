@@ -14,7 +14,7 @@ import org.dronewatch.viewer.part.QuickToggle;
 
 /** The menus, each entry with its key. */
 final class ViewerMenus {
-    /** One key press moves by this fraction of the distance to the target. */
+    /** The fraction of the distance to the target by which one key press moves the viewpoint. */
     private static final double STRIDE = 0.06;
 
     private final ViewerPane pane;

@@ -27,9 +27,9 @@ import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.ViewedRun;
 
 /**
- * All that the window shows: the site, the cameras, the time line, tables, rays and log. {@link #tick} lets time go on;
- * all methods must be called on the event thread unless stated otherwise. It needs no window: it paints into a picture
- * as well.
+ * All that the window shows: the site, the cameras, the time line, tables, rays and log. {@link #tick} advances time;
+ * all methods must be called on the event thread unless stated otherwise. The pane needs no window: it can also be
+ * painted into a picture.
  */
 final class ViewerPane extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -65,10 +65,10 @@ final class ViewerPane extends JPanel {
     /**
      * A pane for a scene that is about to run.
      *
-     * @param title of the scene
+     * @param title title of the scene
      * @param recording receives what happens
-     * @param threads how many trace
-     * @param stores gives the store of coverages that were computed before, for the settings of a run
+     * @param threads number of threads that prepare the site, paint it, trace rays and compute coverage
+     * @param stores returns the store of coverages that were computed before, for the settings of a run
      */
     ViewerPane(String title, Recording recording, int threads, Function<SceneSettings, LayerStore> stores) {
         super(new BorderLayout());
@@ -175,7 +175,7 @@ final class ViewerPane extends JPanel {
         boolean all = recording.isFinished();
         status.progress(run.reached() / run.duration(), all);
         if (!all) {
-            // Detections up to the time shown may just have come.
+            // Detections up to the time shown may only just have been recorded.
             changed = true;
         }
     }

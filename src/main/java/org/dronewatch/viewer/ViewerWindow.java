@@ -24,7 +24,10 @@ import org.dronewatch.viewer.part.Scaled;
 import org.dronewatch.viewer.run.SensorLayout;
 import org.dronewatch.viewer.run.UnsavedMoves;
 
-/** The window around a pane: menus, look, clock, and where the user left it. All methods are for the event thread. */
+/**
+ * The window around a pane: its menus, its look and feel, its clock, and its position and size, as the user left them.
+ * All methods are for the event thread.
+ */
 final class ViewerWindow {
     /** Update interval of the pane, ms. */
     private static final int TICK = 33;
@@ -59,10 +62,10 @@ final class ViewerWindow {
      * A window that is not shown yet.
      *
      * @param subject the scene that the pane shows
-     * @param layout how the user left it
+     * @param layout how the user left the window
      * @param opening opens other scenes; empty where the run is fixed
-     * @param closing is called when the user closes it
-     * @param closed is called when it is gone, with all threads of the pane
+     * @param closing is called when the user closes the window
+     * @param closed is called when the window has been closed and all threads of the pane have ended
      */
     ViewerWindow(
             Viewer.Subject subject,
@@ -119,7 +122,8 @@ final class ViewerWindow {
     /**
      * Replaces the displayed scene by another.
      *
-     * @return what ends the threads of the scene before; it may wait for them, so not on the event thread
+     * @return an action that ends the threads of the previous scene; since it may wait for them, it must not run on the
+     *     event thread
      */
     Runnable replace(Viewer.Subject subject, ViewerPane content) {
         ViewerPane old = pane;
@@ -143,7 +147,7 @@ final class ViewerWindow {
         };
     }
 
-    /** What a changed scene can be compared with: as before, and with the run before it was changed. */
+    /** The runs with which a changed scene can be compared: those offered before, and its run before it was changed. */
     private static List<OtherRun> runsBefore(ViewerPane old) {
         List<OtherRun> runs = new ArrayList<>(old.comparing().kept());
         // Only the last run is kept: each takes memory.
@@ -152,12 +156,12 @@ final class ViewerWindow {
         return runs;
     }
 
-    /** Shows it. */
+    /** Shows the window. */
     void show() {
         frame.setVisible(true);
     }
 
-    /** Divides it as the user left it, and starts its clock. */
+    /** Puts the dividers where the user left them, and starts the clock. */
     void divide() {
         for (int i = 0; i < DIVIDERS.length; i++) {
             JSplitPane divided = pane.dividers().get(i);

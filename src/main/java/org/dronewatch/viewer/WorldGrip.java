@@ -1,6 +1,6 @@
 package org.dronewatch.viewer;
 
-/** What is moved by the mouse in place of the view. */
+/** Something in the site that the mouse moves in place of the view. */
 interface WorldGrip {
     /** Moves nothing. */
     WorldGrip NONE = new WorldGrip() {
@@ -16,10 +16,10 @@ interface WorldGrip {
         public void drag(int x, int y) {}
     };
 
-    /** Whether there is something to be taken at a pixel of the view. */
+    /** Whether there is something to take hold of at a pixel of the view. */
     boolean isAt(int x, int y);
 
-    /** Takes it. */
+    /** Takes hold of it. */
     void take(int x, int y);
 
     /** Drags it to another pixel. */

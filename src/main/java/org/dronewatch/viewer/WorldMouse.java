@@ -10,10 +10,10 @@ import org.dronewatch.render.Orbit;
 
 /** Mouse control of the site view, and of what is gripped in it. */
 final class WorldMouse extends MouseAdapter {
-    /** Dragging over the whole width turns by this angle, rad. */
+    /** The angle by which dragging across the whole width turns the view, rad. */
     private static final double TURN = Math.toRadians(240.0);
 
-    /** One click of the wheel brings the eye nearer by this factor. */
+    /** The factor by which one click of the wheel shortens the distance from the eye to the target. */
     private static final double ZOOM = 0.85;
 
     private final WorldPanel panel;

@@ -26,8 +26,8 @@ import org.dronewatch.world.WorldSettings;
 import org.jogamp.vecmath.Point2d;
 
 /**
- * The site in 3D. Dragging turns it, with the right button or Shift it moves, the wheel zooms towards the pointer, a
- * double click looks at what is there, a click on a symbol selects.
+ * The site in 3D. Dragging turns the view; dragging with the right button or Shift moves it; the wheel zooms towards
+ * the pointer; a double click centres the view on the point under the pointer; a click on a symbol selects it.
  */
 final class WorldPanel extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -59,7 +59,7 @@ final class WorldPanel extends JPanel {
      * An empty view.
      *
      * @param name with which the names of its threads begin
-     * @param threads how many paint the site
+     * @param threads number of threads that paint the site
      * @param failed receives what went wrong
      */
     WorldPanel(String name, int threads, Consumer<Throwable> failed) {
@@ -146,7 +146,7 @@ final class WorldPanel extends JPanel {
         redraw();
     }
 
-    /** Draws the state anew: the overlay changes it in another way. */
+    /** Draws the state anew, because the overlay now changes it in another way. */
     void redraw() {
         if (recorded != null) {
             state = overlay.apply(recorded);
@@ -176,12 +176,12 @@ final class WorldPanel extends JPanel {
         move(orbit, other);
     }
 
-    /** Looks from elsewhere: coarse at once, fine when nothing has moved for a moment. */
+    /** Shows the site from another viewpoint: coarsely at once, finely when nothing has moved for a moment. */
     void move(Orbit to) {
         move(to, cut);
     }
 
-    /** Looks from elsewhere, with another cut. */
+    /** Shows the site from another viewpoint, with another cut. */
     void move(Orbit to, Optional<Cut> without) {
         orbit = to;
         cut = without;
@@ -198,12 +198,12 @@ final class WorldPanel extends JPanel {
         }
     }
 
-    /** Pixels of the screen for one of Swing's. */
+    /** The number of screen pixels per Swing pixel. */
     double density() {
         return Scaled.density(this);
     }
 
-    /** Width over height. */
+    /** The ratio of width to height. */
     double aspect() {
         return getHeight() == 0 ? 1.5 : getWidth() / (double) getHeight();
     }

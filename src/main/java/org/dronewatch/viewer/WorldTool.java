@@ -24,13 +24,13 @@ interface WorldTool {
         public void paint(Graphics2D g) {}
     };
 
-    /** Whether it is in use. */
+    /** Whether it is on. */
     boolean isOn();
 
     /** Receives a click on a pixel of the view. */
     void click(int x, int y);
 
-    /** A text while the pointer is at a pixel; empty for the usual one. */
+    /** The text to show while the pointer is at a pixel; empty for the usual text. */
     Optional<String> hint(int x, int y);
 
     /** Paints over the site. */

@@ -247,7 +247,7 @@ class BuildingSceneTest {
                 "origin=null | world.buildings needs a world.origin",
                 "buildings={} | world.buildings needs a 'file', a map with buildings",
                 "buildings={file: none.osm} | site.yaml:4:21: world.buildings.file: file 'none.osm' does not exist",
-                "buildings={file: ground.asc} | ground.asc: is an ESRI ASCII grid, which belongs to world.terrain, not to world.buildings",
+                "buildings={file: ground.asc} | ground.asc: is an ESRI ASCII grid, which belongs under world.terrain, not under world.buildings",
                 "buildings={file: ../map.osm} | file '../map.osm' must be a relative path to a file in",
                 "buildings={file: map.osm, height: 0} | height",
                 "buildings={file: map.osm, crs: EPSG:1} | EPSG",

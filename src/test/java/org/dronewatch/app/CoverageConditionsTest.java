@@ -164,7 +164,7 @@ class CoverageConditionsTest {
                 "night: 5 | 1:8: must give settings by their paths",
                 "night: {} | 1:1: night changes no setting",
                 "As it is: {world.rain: 1 mm/h} | 1:1: As it is: in tables, this is the name of the scene without a condition",
-                "night: {world.rain: [1, 2]} | 1:21: world.rain: must be a single value, or values by name",
+                "night: {world.rain: [1, 2]} | 1:21: world.rain: must be a single value, or named values",
             })
     void wrongConditionsAreRefusedWithTheirPlace(String text, String message) throws IOException {
         Path file = directory.resolve("wrong.yaml");

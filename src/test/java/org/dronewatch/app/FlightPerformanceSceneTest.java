@@ -33,8 +33,8 @@ class FlightPerformanceSceneTest extends CommandLines {
         Program.Outcome outcome = check("performance: {climb: 2 m/s, ceiling: 45 m}");
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
-                .containsPattern(
-                        "drone 'visitor' climbs at 3 m/s at [0-9.]+ s, at \\(.*\\) m: its performance allows 2 m/s")
+                .containsPattern("drone 'visitor' climbs at 3 m/s, [0-9.]+ s after the start, at \\(.*\\) m:"
+                        + " its performance allows 2 m/s")
                 .as("the house is below nothing of the flight: no surface, no height")
                 .doesNotContain("ceiling");
     }

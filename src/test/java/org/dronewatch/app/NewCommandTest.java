@@ -120,7 +120,7 @@ class NewCommandTest {
                 "--at 7.42,43.73 --terrain SRTM --crs EPSG:4326 | latitude and longitude of the origin seem to be swapped",
                 "--at 43.73,7.42 --terrain SRTM --crs EPSG:32632 | seem to be longitude and latitude, for which crs is EPSG:4326",
                 "--at 43.7,7.4 --buildings README.md | --buildings README.md: is not OpenStreetMap XML",
-                "--at 43.7,7.4 --buildings SRTM | --buildings SRTM: is an ESRI ASCII grid, which belongs to world.terrain, not",
+                "--at 43.7,7.4 --buildings SRTM | --buildings SRTM: is an ESRI ASCII grid, which belongs under world.terrain, not",
                 "--at 43.7,7.4 --terrain README.md | --terrain README.md: is not a GeoTIFF file",
                 "--at 43.7,7.4 --terrain src/test/resources/fuzz/README.md --buildings scenes/scene.schema.json"
                         + " | --terrain src/test/resources/fuzz/README.md: is not a GeoTIFF file",

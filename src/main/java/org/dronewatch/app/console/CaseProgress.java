@@ -34,12 +34,12 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
     private volatile Optional<Long> end = Optional.empty();
 
     /**
-     * Nothing is done yet.
+     * Progress before any case is done.
      *
      * @param all number of cases, those of earlier runs included
-     * @param bar makes the bar, which asks for the time that is left; it gives null for lines
+     * @param bar makes the bar from a supplier of the time that is left; returns null if lines are printed instead
      * @param statesEnd whether a line also states how many cases are done at the end
-     * @param clock gives the time, ns
+     * @param clock returns the current time, ns
      */
     CaseProgress(
             int all,
@@ -97,7 +97,7 @@ public final class CaseProgress implements CampaignRun.Progress, AutoCloseable {
         return ran > first && seconds > 0.0 ? (ran - first) / seconds : 0.0;
     }
 
-    /** How fast it is, and how long the cases that are left take; empty if that is not known yet. */
+    /** The rate in words, and how long the remaining cases take; empty if that is not known yet. */
     private static String inWords(double rate, int left) {
         return rate > 0.0
                 ? String.format(Locale.ROOT, ", %.3g per second, %s left", rate, ProgressLines.duration(left / rate))

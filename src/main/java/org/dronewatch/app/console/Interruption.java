@@ -48,7 +48,7 @@ public final class Interruption implements AutoCloseable {
         return happened;
     }
 
-    /** Whether the end of the time limit is what stops the command, and not an earlier request of the user. */
+    /** Whether the command is stopped by the end of the time limit, not by an earlier request of the user. */
     public boolean isOutOfTime() {
         return outOfTime;
     }
@@ -76,7 +76,7 @@ public final class Interruption implements AutoCloseable {
         timer.start();
     }
 
-    /** What the end of the time does; tests do it without waiting. */
+    /** What happens when the time limit is reached; tests call this without waiting. */
     synchronized void timeIsOver() {
         if (!finishing && !happened) {
             outOfTime = true;
@@ -93,7 +93,7 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
-    /** What a signal does; tests do it without one. */
+    /** What happens on a signal; tests call this without one. */
     synchronized void interruptCommand() {
         happened = true;
         if (!finishing) {

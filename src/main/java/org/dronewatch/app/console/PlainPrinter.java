@@ -5,7 +5,9 @@ import java.io.Writer;
 import java.util.Locale;
 import org.dronewatch.setting.PlainText;
 
-/** Prints for terminals and scripts: no character in a name controls the terminal, and no locale changes a number. */
+/**
+ * Prints for terminals and scripts: no character in a name can control the terminal, and no locale can change a number.
+ */
 public final class PlainPrinter extends PrintWriter {
 
     public PlainPrinter(Writer target) {

@@ -28,10 +28,10 @@ final class ProgressLines {
     private double next;
 
     /**
-     * The task begins, and is stated regularly.
+     * Begins a task whose progress is stated regularly.
      *
      * @param steps their approximate number; negative if it is not known
-     * @param clock gives the time, ns
+     * @param clock returns the current time, ns
      */
     ProgressLines(String task, long steps, PrintWriter err, LongSupplier clock) {
         this(task, steps, err, clock, EVERY_SECONDS, EVERY_SECONDS, true);
@@ -56,12 +56,12 @@ final class ProgressLines {
         this.start = clock.getAsLong();
     }
 
-    /** The task begins, and gives a single sign of life if it takes long; arguments as for the constructor. */
+    /** Begins a task that gives a single sign of life if it takes long; arguments as for the constructor. */
     static ProgressLines once(String task, long steps, PrintWriter err, LongSupplier clock) {
         return new ProgressLines(task, steps, err, clock, SIGN_OF_LIFE_SECONDS, Double.POSITIVE_INFINITY, false);
     }
 
-    /** A number of steps is done in all. */
+    /** Takes the number of steps that are done so far. */
     synchronized void reached(long done) {
         double seconds = seconds();
         OptionalDouble rest = left.after(done, seconds);
@@ -81,14 +81,14 @@ final class ProgressLines {
                 + (rest.isPresent() ? ", " + duration(rest.getAsDouble()) + " left" : " after " + duration(seconds));
     }
 
-    /** The task is complete. */
+    /** Reports that the task is complete. */
     synchronized void ended() {
         if (isEndStated) {
             err.printf(Locale.ROOT, "%s: done after %s%n", task, duration(seconds()));
         }
     }
 
-    /** The task was ended before it was complete. */
+    /** Reports that the task was ended before it was complete. */
     synchronized void stopped() {
         if (isEndStated) {
             err.printf(Locale.ROOT, "%s: stopped after %s%n", task, duration(seconds()));
@@ -99,7 +99,7 @@ final class ProgressLines {
         return NANO * (clock.getAsLong() - start);
     }
 
-    /** A time in whole seconds, minutes or hours, s. */
+    /** A time, s, in words: in whole seconds, minutes or hours. */
     static String duration(double seconds) {
         if (seconds < MINUTE) {
             return Math.round(seconds) + " s";

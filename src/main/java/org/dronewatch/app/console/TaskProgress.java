@@ -17,7 +17,7 @@ import me.tongfei.progressbar.ProgressBar;
  * @param err receives the progress and the messages
  */
 public record TaskProgress(Amount amount, PrintWriter err) {
-    /** A number of steps that is not known. */
+    /** Stands for an unknown number of steps. */
     static final long UNKNOWN = -1;
 
     /** How much is shown. */
@@ -86,7 +86,7 @@ public record TaskProgress(Amount amount, PrintWriter err) {
         return some -> shown.accept(done.addAndGet(some));
     }
 
-    /** A bar; null where none is shown. */
+    /** A bar; null if none is shown. */
     private ProgressBar bar(String task, long steps) {
         return isQuiet() ? null : Progress.barOf(task, steps);
     }

@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Estimates how long a task still takes. The first steps say little: they include preparations, and steps of one kind,
- * such as those of one sensor, follow one another. So nothing is estimated before a quarter of the work is done or,
- * after two minutes, a twentieth, and then from the speed in the second half of the time so far. If no step ended in
- * it, the last estimate still holds. For one thread at a time.
+ * Estimates how much longer a task will take. The first steps say little: they include preparations, and steps of one
+ * kind, such as those of one sensor, follow one another. So nothing is estimated before a quarter of the work is done
+ * or, after two minutes, a twentieth, and then from the speed in the second half of the time so far. If no step ended
+ * in that half, the last estimate still holds. For one thread at a time.
  */
 final class TimeLeft {
     /** The fraction of the steps that has to be done. */

@@ -46,7 +46,7 @@ public record NewScene(
 
     private static final double MASTS_APART = 60.0;
 
-    /** How far away the intruder starts: as a fraction of the radius, and at most, m. */
+    /** How far away the intruder starts, as a fraction of the radius; and the greatest distance, m. */
     private static final double START = 0.85;
 
     private static final double FARTHEST_START = 1500.0;
@@ -100,7 +100,7 @@ public record NewScene(
         return text.toString();
     }
 
-    /** City models state no land cover. */
+    /** Whether a map is a city model, which states no land cover. */
     private static boolean isCityModel(String file) {
         return file.toLowerCase(Locale.ROOT).endsWith(".city.json");
     }
@@ -109,7 +109,7 @@ public record NewScene(
         return terrain.stream().map(NewScene::quoted).collect(Collectors.joining(", "));
     }
 
-    /** A name in YAML, where quotes keep what would mean something else. */
+    /** A name in YAML, in quotes if it might otherwise mean something else. */
     private static String quoted(String file) {
         return file.matches("[A-Za-z0-9_][A-Za-z0-9_.-]*") ? file : "'" + file.replace("'", "''") + "'";
     }
@@ -200,7 +200,7 @@ public record NewScene(
         return text.toString();
     }
 
-    /** Where there is something instead, as a place that can be given. */
+    /** States where there is something instead, and a place that can be given with {@code --at}. */
     private String nothingWithin(double within, AABB site) {
         GeoPoint middle = new Geodesy(Origin.at(Math.toRadians(latitude), Math.toRadians(longitude)))
                 .onEarth(new Position(0.5 * (site.minX() + site.maxX()), 0.5 * (site.minY() + site.maxY()), 0.0));
@@ -220,7 +220,7 @@ public record NewScene(
                 middle.longitude());
     }
 
-    /** Rounded as it is written; never -0. */
+    /** A value rounded as it is written; never -0. */
     private static double whole(double value) {
         return Math.rint(value) + 0.0;
     }

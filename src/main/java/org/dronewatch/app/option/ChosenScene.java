@@ -38,7 +38,7 @@ public abstract class ChosenScene {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    /** What a shell offers for the scene, beside files. */
+    /** What a shell offers for the scene, besides files. */
     static final class PackagedNames implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {

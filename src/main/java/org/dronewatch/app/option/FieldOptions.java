@@ -114,7 +114,7 @@ public final class FieldOptions {
                 : word(POINTING, pointing, FieldTerms.Turning.values(), "cued or search");
     }
 
-    /** One of a few words. */
+    /** The constant for an option's value that must be one of a few words. */
     static <E extends Enum<E>> E word(String option, String given, E[] words, String known) {
         for (E one : words) {
             if (one.name().toLowerCase(Locale.ROOT).equals(given)) {
@@ -170,7 +170,7 @@ public final class FieldOptions {
                 : word(HEADING, heading, FieldHeading.values(), "worst, best or inbound");
     }
 
-    /** Which of the drone's courses counts. */
+    /** Which of the drone's headings counts. */
     public FieldCoverage.Choice choice() {
         return kind().choice();
     }

@@ -29,7 +29,7 @@ public final class JsonOption {
     /**
      * Prints the results of the command, in the form that the user has chosen.
      *
-     * @param object gives the results as a JSON object
+     * @param object returns the results as a JSON object
      * @param tables prints the results as tables, for people
      */
     public void print(Supplier<ObjectNode> object, Consumer<PrintWriter> tables) {

@@ -17,7 +17,7 @@ public final class PathWord {
      */
     public static Path of(String option, String word) {
         if (word.isEmpty()) {
-            // Java takes it for the current directory; a user's variable was not set.
+            // Java takes an empty path for the current directory; a shell variable was probably not set.
             throw new InputException((option + " ''").strip() + ": the path is empty");
         }
         try {

@@ -81,7 +81,7 @@ public final class CameraRendering extends Rendering {
         return new CameraView(id, camera, simulation().stage(history, settings), history);
     }
 
-    /** A film shows the looks that the camera has in the run, each until the next. */
+    /** A film shows the looks that the camera takes in the run, each until the next. */
     @Override
     FilmMaker maker(Film film, RunHistory history) {
         CameraView view = view(history);

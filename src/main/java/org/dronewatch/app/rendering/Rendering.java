@@ -36,7 +36,7 @@ public abstract class Rendering {
     public abstract String picture(
             double time, String ending, WholeFile target, ThreadsOption threads, CommandSpec spec);
 
-    /** Its pictures over a run of which the history is known up to the film's end. */
+    /** The maker of the subject's pictures over a run whose history is known up to the film's end. */
     abstract FilmMaker maker(Film film, RunHistory history);
 
     Simulation simulation() {

@@ -38,10 +38,10 @@ public final class Simulation {
     }
 
     /**
-     * The site of the run: as it was simulated, or if it was not, made for the pictures.
+     * The site of the run: the one that was simulated or, if nothing was simulated, one made for the pictures.
      *
-     * @param history of the run
-     * @param settings of the run
+     * @param history history of the run
+     * @param settings settings of the run
      */
     Stage stage(RunHistory history, SceneSettings settings) {
         return history.stage().orElseGet(() -> runner.stage(settings));

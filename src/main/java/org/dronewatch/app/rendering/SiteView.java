@@ -86,7 +86,7 @@ public final class SiteView {
             description = "Scale of text and symbols, 0.5 to 8; ${DEFAULT-VALUE} by default.")
     private double scale;
 
-    /** How many columns and rows. */
+    /** The numbers of columns and rows. */
     private int[] pixels() {
         String[] parts = size.split("x", -1);
         try {
@@ -102,7 +102,7 @@ public final class SiteView {
                 + ": must be WIDTHxHEIGHT, as in 1280x800, each from 64 to " + LARGEST);
     }
 
-    /** Checks what a film does not show. */
+    /** Rejects options that a film cannot follow. */
     void checkFilm() {
         if (rays) {
             throw new InputException("--rays: rays are traced at a single time; a video does not show them");
@@ -159,7 +159,7 @@ public final class SiteView {
         }
     }
 
-    /** A cut below all that there is would leave nothing to see. */
+    /** Rejects a cut below everything in the scene, which would leave nothing to see. */
     private void checkCut(Stage stage) {
         double lowest = stage.world().bounds().minZ();
         givenCut().filter(plane -> plane.offset() <= lowest).ifPresent(plane -> {

@@ -5,8 +5,8 @@ import java.util.function.BooleanSupplier;
 
 /**
  * Rounds in which layouts are compared on all known routes, and the routes past them are flown, until flights show no
- * other routes that matter. Asked to end between two rounds, it compares layouts once more, on all routes known by
- * then.
+ * other routes that matter. If they are asked to end between two rounds, layouts are compared once more, on all routes
+ * known by then.
  *
  * @param most greatest number of rounds, 1 or more
  * @param isEnding queried before each round
@@ -17,7 +17,7 @@ record ComparisonRounds(int most, BooleanSupplier isEnding) {
         /**
          * Compares layouts, and flies the routes past them.
          *
-         * @param isLast whether there is no other round
+         * @param isLast whether no other round follows
          * @return the result; empty if another round is needed, but never in the last one
          */
         Optional<T> result(boolean isLast);

@@ -92,7 +92,7 @@ public record PlaceTask(
         return isMissing && interruption.isOutOfTime() ? front.without(part, limits) : front;
     }
 
-    /** What lower budgets buy. Values that are printed alike count as equal only if a gap is allowed. */
+    /** The best layouts for lower budgets. Values that are printed alike count as equal only if a gap is allowed. */
     <L extends PlacedLayout> BudgetFront<L> front(CheaperLayouts<L> cheaper) {
         FrontSearch<L> search = limits.gap() == 0.0
                 ? new FrontSearch<>(cheaper)

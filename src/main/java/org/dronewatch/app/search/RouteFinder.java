@@ -74,7 +74,10 @@ public final class RouteFinder {
                 .of(found.routes(), found.survey(), found.between(), found.times());
     }
 
-    /** The routes from some directions are worth flying for a user, but not once the time is up. */
+    /**
+     * Lets the routes that were found so far be flown if the user has interrupted the search, but not if the time is
+     * up.
+     */
     private void letFinish() {
         if (interruption.isOutOfTime()) {
             throw new CancellationException("the time is up");

@@ -28,7 +28,7 @@ import org.dronewatch.scene.SceneRunner;
 
 /** Flies the routes that were found: every look along them is assessed and, if asked for, many seeds are run. */
 final class RouteFlights {
-    /** The greatest number of runs of each route with cues: all of these are whole runs, which take long. */
+    /** The greatest number of runs of each route with cues: each of these is a whole run, which takes long. */
     private static final int MOST_CUED = 100;
 
     private final SceneRunner runner;
@@ -37,7 +37,7 @@ final class RouteFlights {
     private final TaskProgress shown;
     private final int runs;
 
-    /** By their paths: the routes of repeated searches, too. */
+    /** The flights by their paths, including those of the routes that repeated searches have found. */
     private final Map<RoutePath, Flight> flights = new HashMap<>();
 
     private final List<SectorRoute> found = new ArrayList<>();
@@ -47,8 +47,8 @@ final class RouteFlights {
     /**
      * The flight of a route that is long enough to be flown.
      *
-     * @param scene in which the drone flies it
-     * @param flown with all looks along it
+     * @param scene scene in which the drone flies it
+     * @param flown the route with all looks along it
      */
     private record Flight(SceneSettings scene, FlownRoute flown) {}
 
@@ -147,7 +147,7 @@ final class RouteFlights {
         }
     }
 
-    /** The route with the exposure to all looks along it, if these say anything. */
+    /** The route with the exposure to all looks along it, if these looks reveal anything. */
     private SectorRoute assess(SectorRoute route, RouteSurvey survey) {
         found.add(route);
         Optional<SceneSettings> scene = new RouteScenes(inputs, runner::text).settings(route, survey);
@@ -158,7 +158,7 @@ final class RouteFlights {
         FlownRoute flown =
                 runs > 0 ? FlownRoute.toProve(scene.get(), models, runs) : FlownRoute.of(scene.get(), models, 1);
         flights.put(route.route().path(), new Flight(scene.get(), flown));
-        // Flights have no cues: where positioners count as cued, the search alone knows what they see.
+        // Flights have no cues: if positioners count as cued, only the search knows what they see.
         if (inputs.isCued()) {
             return route;
         }

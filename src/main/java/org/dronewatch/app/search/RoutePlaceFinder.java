@@ -38,7 +38,7 @@ final class RoutePlaceFinder implements PlaceFinder {
         private final PlaceTask task;
         private final RouteLayouts layouts;
 
-        /** By their sensors: the layouts whose routes have been flown, with nothing for those that cannot be. */
+        /** The layouts whose routes have been flown, by their sensors; empty for those whose routes cannot be flown. */
         private final Map<List<Integer>, Optional<FlownLayout>> flown = new HashMap<>();
 
         private Optional<FlownLayout> present = Optional.empty();
@@ -83,8 +83,8 @@ final class RoutePlaceFinder implements PlaceFinder {
         }
 
         /**
-         * Whether the user wants the end, or nothing else can be flown in time. Once only the time of the search is
-         * over, layouts that have been tried are still compared as often as flights show other routes.
+         * Whether the user wants to end the search, or nothing else can be flown in time. Once only the time of the
+         * search is over, layouts that have been tried are still compared as often as flights show other routes.
          */
         private boolean isEnding() {
             return task.limits().end().isStopped() || task.interruption().happened();
@@ -94,14 +94,14 @@ final class RoutePlaceFinder implements PlaceFinder {
             return front.points().stream().allMatch(point -> holds(point.layout()));
         }
 
-        /** Whether something has to be left out, since the user wants the end or the time is up. */
+        /** Whether something has to be left out, because the user wants to end the search or the time is up. */
         private boolean cuts() {
             // What was interrupted may have cleared the interrupt status of the thread.
             isCut |= task.interruption().happened();
             return isCut;
         }
 
-        /** Nothing is searched for again after an interruption. */
+        /** Whether the routes past a layout need not be searched for again; after an interruption, nothing is. */
         private boolean holds(RoutePlacement layout) {
             try {
                 return isCut || layouts.holds(layout);
@@ -145,8 +145,8 @@ final class RoutePlaceFinder implements PlaceFinder {
         }
 
         /**
-         * The routes past the layout without each of the sensors whose loss is worst, by the name of that sensor: where
-         * the search finds all of these losses equally bad, flights may not. Without exposure there is nothing to fly.
+         * The routes past the layout without each of the sensors whose loss is worst, by the name of that sensor:
+         * losses that are equally bad in the search may differ in flights. Without exposure there is nothing to fly.
          */
         private Map<String, FlownLayout> lost(RoutePlacement best) {
             Map<String, FlownLayout> lost = new LinkedHashMap<>();

@@ -39,7 +39,7 @@ public record EvenlySpaced(
     }
 
     /**
-     * Checks that the spacing is stated once.
+     * Checks that the spacing is stated exactly once.
      *
      * @throws IllegalArgumentException when it is not stated, or twice
      */

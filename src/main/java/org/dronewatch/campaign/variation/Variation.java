@@ -26,7 +26,7 @@ public record Variation(
         Optional<Uniform> uniform,
         Optional<Normal> normal,
         Optional<Triangular> triangular) {
-    /** Nothing is stated yet. */
+    /** A variation in which nothing is stated yet. */
     @Defaults
     static final Variation NONE =
             new Variation(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());

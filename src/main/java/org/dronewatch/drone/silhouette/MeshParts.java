@@ -8,8 +8,8 @@ import java.util.Map;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * The connected parts of a mesh with their triangles and edges, part by part. Vertices with equal coordinates are one;
- * triangles with two equal corners are left out, as no ray hits them. Immutable.
+ * The connected parts of a mesh, with the triangles and edges of each part. Vertices with equal coordinates count as
+ * one; triangles with two equal corners are left out, since no ray hits them. Immutable.
  */
 final class MeshParts {
     /** The coefficient of an edge that belongs to the outline in any case. */
@@ -26,7 +26,7 @@ final class MeshParts {
     /** A vertex, by its coordinates. */
     private record Vertex(float x, float y, float z) {}
 
-    /** An edge between two vertices, the lower number first. */
+    /** An edge between two vertices, the one with the lower number first. */
     private record Side(int from, int to) {}
 
     MeshParts(TriangleMesh mesh) {
@@ -123,7 +123,7 @@ final class MeshParts {
         return at;
     }
 
-    /** x, y, z of each vertex, m; not copied. */
+    /** The coordinates x, y and z of each vertex, m; not copied. */
     float[] points() {
         return points;
     }
@@ -166,7 +166,7 @@ final class MeshParts {
         return edgeEnds[2 * edge + 1];
     }
 
-    /** An edge's coefficient with one more triangle; beyond a few it does not matter how many there are. */
+    /** The coefficient of an edge with one more triangle; beyond a few triangles, their number does not matter. */
     static byte sum(byte coefficient, int added) {
         return coefficient == ALWAYS ? ALWAYS : (byte) Math.min(ALWAYS, coefficient + added);
     }

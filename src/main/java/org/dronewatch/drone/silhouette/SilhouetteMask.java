@@ -31,7 +31,7 @@ public final class SilhouetteMask {
 
     private final byte[] kinds;
 
-    /** What was looked up last for a whole list of texels; null for nothing. */
+    /** The kinds that were looked up last for a whole list of texels; null if there are none. */
     private volatile Selection selection;
 
     /** The kinds of a list of texels, which is the same array for all masks. */

@@ -4,17 +4,18 @@ import java.util.Arrays;
 import org.dronewatch.geometry.TriangleMesh;
 
 /**
- * Draws the masks of a mesh. From the middle of a range of directions the mesh is projected orthographically; from any
- * other direction of the range, and in perspective, each of its points appears displaced by no more than a bound that
- * is computed for each vertex.
+ * Draws the masks of a mesh. The mesh is projected orthographically as seen from the middle of a range of directions.
+ * As seen from any other direction of the range, and in perspective, each of its points appears displaced by no more
+ * than a bound that is computed for each vertex.
  *
- * <p>A point farther than that from all that is covered remains uncovered. A covered point may be uncovered, although
- * everything around it is covered: between two parts of a drone, one behind the other, a gap may open. Therefore each
- * connected part is considered alone. Its triangles, each oriented so that it faces the camera, form a surface; how
- * often this covers a point is the winding number of its outline about the point, and remains the same as long as
- * the outline does not pass over the point. The outline consists of the edges at which the triangles do not cancel:
- * those where the surface turns away, and those with a triangle on one side only. So a covered point that is farther
- * than the bound from the outline of a part remains covered by it. This holds for any mesh, closed or not.
+ * <p>A point that is farther than this bound from every covered point remains uncovered. A covered point, however, may
+ * become uncovered even if everything around it is covered: a gap may open between two parts of a drone, one of which
+ * is behind the other. Therefore each connected part is considered alone. Its triangles, each oriented so that it faces
+ * the camera, form a surface; the number of times that this surface covers a point is the winding number of its outline
+ * about the point, and remains the same as long as the outline does not pass over the point. The outline consists of
+ * the edges at which the triangles do not cancel: those where the surface turns away, and those with a triangle on one
+ * side only. So a covered point that is farther than the bound from the outline of a part remains covered by it. This
+ * holds for any mesh, closed or not.
  *
  * <p>Immutable and thread-safe.
  */
@@ -24,7 +25,7 @@ final class SilhouetteRaster {
     /** The least distance of the camera in radii: perspective displaces points by at most 1/126 radius. */
     private static final double MIN_RANGE = 64.0;
 
-    /** Rounding, as a fraction of the radius. */
+    /** Tolerance for rounding, as a fraction of the radius. */
     private static final double SLACK = 1e-6;
 
     private static final double EDGE_TOLERANCE = 1e-13;
@@ -37,7 +38,7 @@ final class SilhouetteRaster {
     SilhouetteRaster(TriangleMesh mesh) {
         this.parts = new MeshParts(mesh);
         this.radius = Math.max(mesh.radius(), Double.MIN_NORMAL);
-        // Perspective magnifies what is nearer than the origin.
+        // Perspective magnifies whatever is nearer than the origin.
         this.halfWidth = radius * (1.0 + 1.0 / MIN_RANGE);
         this.texel = 2.0 * halfWidth / TEXELS;
     }
@@ -57,8 +58,8 @@ final class SilhouetteRaster {
     /**
      * The mask for a range of directions.
      *
-     * @param azimuth the middle, relative to the drone's nose, clockwise, rad
-     * @param elevation the middle, rad
+     * @param azimuth azimuth of the middle of the range, relative to the drone's nose, clockwise, rad
+     * @param elevation elevation of the middle of the range, rad
      * @param aside half the range of azimuths, rad
      * @param above half the range of elevations, rad
      */
@@ -66,7 +67,7 @@ final class SilhouetteRaster {
         return new SilhouetteMask(new Drawing(azimuth, elevation, aside, above).kinds());
     }
 
-    /** One mask while it is drawn. Coordinates are in texels from the lower left corner of the mask. */
+    /** The drawing of one mask. Coordinates are in texels from the lower left corner of the mask. */
     private final class Drawing {
         private final float[] points = parts.points();
         private final double[] x = new double[points.length / 3];
@@ -95,7 +96,8 @@ final class SilhouetteRaster {
                 double level = px * sinA + py * cosA;
                 double across = px * cosA - py * sinA;
                 double depth = level * cosE + pz * sinE;
-                // How far it moves to the side, and up, with azimuth and elevation: to first order, then the rest.
+                // The displacement of a vertex, to the side and upwards, with azimuth and elevation: first to first
+                // order, then the rest.
                 double first =
                         length(Math.abs(level) * aside, Math.abs(across * sinE) * aside + Math.abs(depth) * above);
                 double perspective = 0.5 * (px * px + py * py + pz * pz) / ((MIN_RANGE - 1.0) * radius);
@@ -129,7 +131,7 @@ final class SilhouetteRaster {
             addPart();
         }
 
-        /** The texels that a part may change. */
+        /** Sets the range of texels that a part may change. */
         private void setRegion(int part) {
             double x0 = TEXELS;
             double x1 = 0.0;
@@ -198,7 +200,7 @@ final class SilhouetteRaster {
             }
         }
 
-        /** Whether a texel's centre is to the left of an edge or, but for rounding, on it. */
+        /** Whether a texel's centre is to the left of an edge or, apart from rounding, on it. */
         private boolean isLeft(int from, int to, int column, int row) {
             double dx = x[to] - x[from];
             double dy = y[to] - y[from];

@@ -20,7 +20,7 @@ public final class SilhouetteTable {
     /** Drawing a mask takes about as long as this number of small pictures. */
     private static final int SMALL_PICTURES = 4;
 
-    /** Pixels of a small picture. */
+    /** Number of pixels of a small picture. */
     private static final int FEW_PIXELS = 256;
 
     private final SilhouetteRaster raster;
@@ -68,7 +68,10 @@ public final class SilhouetteTable {
                 : mask;
     }
 
-    /** Neighbouring cells need the same mask at the same time: one thread makes it, and the others wait. */
+    /**
+     * The mask of a range of directions, drawn if necessary. Neighbouring cells of a field need the same mask at the
+     * same time: one thread draws it, and the others wait.
+     */
     private SilhouetteMask make(int column, int row) {
         int index = row * AZIMUTHS + column;
         synchronized (locks[index % locks.length]) {

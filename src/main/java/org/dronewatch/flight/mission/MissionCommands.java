@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 
-/** The commands of MAVLink's missions (MAV_CMD, common.xml) that are flown, and those that do not move a drone. */
+/** The MAVLink mission commands (MAV_CMD, common.xml) that are flown, and those that do not move a drone. */
 final class MissionCommands {
     static final int WAYPOINT = 16;
     static final int LOITER_UNLIMITED = 17;
@@ -18,7 +18,7 @@ final class MissionCommands {
     static final int DELAY = 93;
     static final int CHANGE_SPEED = 178;
 
-    /** Cameras, gimbals, servos, marks: no effect on the position of the drone. */
+    /** Commands for cameras, gimbals, servos and marks, which have no effect on the position of the drone. */
     private static final Map<Integer, String> STILL = new TreeMap<>(Map.ofEntries(
             Map.entry(112, "CONDITION_DELAY"),
             Map.entry(114, "CONDITION_DISTANCE"),
@@ -54,7 +54,7 @@ final class MissionCommands {
             Map.entry(2501, "VIDEO_STOP_CAPTURE"),
             Map.entry(3000, "DO_VTOL_TRANSITION")));
 
-    /** Some that move the drone in ways that are not supported. */
+    /** Some commands that move the drone in ways that are not supported. */
     private static final Map<Integer, String> OTHERS = Map.ofEntries(
             Map.entry(18, "NAV_LOITER_TURNS"),
             Map.entry(30, "NAV_CONTINUE_AND_CHANGE_ALT"),

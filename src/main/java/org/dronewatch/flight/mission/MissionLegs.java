@@ -11,20 +11,20 @@ import org.dronewatch.world.GroundPoint;
 import org.dronewatch.world.Places;
 
 /**
- * Makes the legs of a mission from the points to which it leads. Between two points whose heights count from the
- * surface, the drone follows the surface as terrain-following flights do. For a single use.
+ * Computes the legs of a mission from the points to which it leads. Between two points whose heights are measured from
+ * the surface, the drone follows the surface as terrain-following flights do. For a single use.
  */
 final class MissionLegs {
-    /** Points nearer to each other than this are the same, m. */
+    /** Points nearer to each other than this count as the same, m. */
     private static final double SAME = 1e-3;
 
     /**
-     * Below this change of direction the drone does not stop: a line at one height above the sea bends with the earth,
-     * by 1e-4 in a kilometre, and plans round places to a centimetre.
+     * If the direction changes by less than this, the drone does not stop: a line at constant height above the sea
+     * bends with the earth, by 1e-4 in a kilometre, and plans round positions to a centimetre.
      */
     private static final double STRAIGHT = 0.01;
 
-    /** How steeply the drone climbs and descends as it follows the surface: 45 degrees, m/m. */
+    /** The greatest slope at which the drone climbs and descends as it follows the surface, m/m: 45 degrees. */
     private static final double STEEPEST = 1.0;
 
     private final double acceleration;
@@ -36,10 +36,10 @@ final class MissionLegs {
     /**
      * A point of the route.
      *
-     * @param at where it is, m
-     * @param speed with which the drone flies there, m/s
-     * @param above its height above the surface, if that is what it counts from, m
-     * @param hold how long the drone waits there, s
+     * @param at position of the point, m
+     * @param speed speed at which the drone flies there, m/s
+     * @param above its height above the surface, if its height is measured from the surface, m
+     * @param hold time for which the drone waits there, s
      */
     private record Stop(Position at, double speed, OptionalDouble above, double hold) {}
 
@@ -54,7 +54,7 @@ final class MissionLegs {
         stops.add(new Stop(at, Double.NaN, OptionalDouble.empty(), 0.0));
     }
 
-    /** Flies on to a point; one at the current position only changes the level to which heights refer. */
+    /** Flies on to a point; a point at the current position only changes the level from which heights are measured. */
     void to(Position at, double speed, OptionalDouble above) {
         Stop last = stops.get(stops.size() - 1);
         if (last.at.distance(at) <= SAME) {
@@ -101,7 +101,7 @@ final class MissionLegs {
         return new MissionPath(legs, end, heading);
     }
 
-    /** Whether the drone flies through the stop before this one without stopping. */
+    /** Whether the drone flies through the previous stop without stopping. */
     private boolean goesOn(int next) {
         Stop before = stops.get(next - 2);
         Stop here = stops.get(next - 1);
@@ -121,14 +121,17 @@ final class MissionLegs {
         return 0.0;
     }
 
-    /** The speed at which a course nowhere climbs or descends faster than allowed, m/s. */
+    /** The greatest speed up to the given one at which a course nowhere climbs or descends faster than allowed, m/s. */
     private double permitted(MissionPath.Course course, double speed) {
         double climb = course.steepest(1.0);
         double descent = course.steepest(-1.0);
         return Math.min(speed, Math.min(climbRate / Math.max(climb, 1e-12), descentRate / Math.max(descent, 1e-12)));
     }
 
-    /** The course to each stop that follows the surface; null for the others. The stops are moved onto it. */
+    /**
+     * For each stop, the course that leads to it along the surface; null for the other stops. Moves the stops onto
+     * these courses.
+     */
     private List<MissionPath.Course> contours() {
         List<MissionPath.Course> courses = new ArrayList<>();
         courses.add(null);

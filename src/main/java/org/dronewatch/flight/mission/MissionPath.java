@@ -7,11 +7,11 @@ import org.dronewatch.flight.RestToRest;
 import org.dronewatch.geometry.Position;
 
 /**
- * A path of legs, each flown from rest to rest, with waits between them. It stays at the end.
+ * A path of legs, each flown from rest to rest, with waits between them. The drone stays at the end.
  *
- * @param legs in order of time
- * @param start where it is when there are no legs, m
- * @param heading where the nose points then, rad
+ * @param legs the legs, in order of time
+ * @param start position of the drone if there are no legs, m
+ * @param heading heading of the nose if there are no legs, rad
  */
 record MissionPath(List<Leg> legs, Position start, double heading) implements FlightPath {
     MissionPath {
@@ -39,11 +39,11 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
     /**
      * One leg.
      *
-     * @param begin when it begins, s
+     * @param begin time at which the leg begins, s
      */
     record Leg(Course course, double begin, RestToRest motion, double heading) {
 
-        /** A leg that is flown nose first; straight up or down, the heading does not change. */
+        /** A leg that is flown nose first; on a vertical leg, the heading does not change. */
         static Leg of(Course course, double begin, double speed, double acceleration, double former) {
             return new Leg(course, begin, new RestToRest(course.length(), speed, acceleration), course.heading(former));
         }
@@ -61,14 +61,14 @@ record MissionPath(List<Leg> legs, Position start, double heading) implements Fl
     }
 
     /**
-     * The path of a leg: one straight line, nearly straight through several waypoints, or over the surface, straight in
-     * plan.
+     * The path of a leg: a straight line, a nearly straight line through several waypoints, or a line over the surface
+     * that is straight in plan view.
      */
     static final class Course {
         private final Position[] points;
         private final double[] along;
 
-        /** A path through points that differ, m. */
+        /** A path through points, m; successive points differ. */
         Course(Position[] points) {
             this.points = points.clone();
             this.along = new double[points.length];

@@ -10,7 +10,7 @@ import org.dronewatch.geo.EarthPoint;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Places;
 
-/** Finds where the steps of a mission lead on a site. For a single use. */
+/** Finds the positions on a site to which the steps of a mission lead. For a single use. */
 final class MissionRoute {
     /**
      * Up to this difference between the heights of the launch position in the plan and on the site, no warning is
@@ -18,7 +18,7 @@ final class MissionRoute {
      */
     private static final double ODD = 20.0;
 
-    /** Points nearer to each other than this are the same, m. */
+    /** Points nearer to each other than this count as the same, m. */
     private static final double SAME = 1e-3;
 
     private final Mission settings;
@@ -28,13 +28,13 @@ final class MissionRoute {
     private final MissionLegs legs;
     private double speed;
     private OptionalDouble launch = OptionalDouble.empty();
-    /** Where the drone is after the steps so far; empty before the first. */
+    /** The position of the drone after the steps so far; empty before the first. */
     private Optional<Position> here = Optional.empty();
 
     /**
      * A route.
      *
-     * @param drone how it flies where neither plan nor settings state it
+     * @param drone the drone's speeds and acceleration, which apply where neither the plan nor the settings state any
      */
     MissionRoute(Mission settings, PlanFile plan, Places places, DroneSpeeds drone, Consumer<String> warnings) {
         this.settings = settings;
@@ -89,8 +89,8 @@ final class MissionRoute {
     }
 
     /**
-     * Straight up at home, and then level to the place. A real fixed-wing aircraft climbs at an angle instead, but soon
-     * reaches the same height.
+     * Climbs straight up at home, and then flies level to the place. A real fixed-wing aircraft climbs at an angle
+     * instead, but soon reaches the same height.
      */
     private void takeOff(MissionStep.TakeOff up) {
         EarthPoint start = here.isEmpty() ? home(up.where()) : null;
@@ -177,7 +177,10 @@ final class MissionRoute {
         };
     }
 
-    /** The level to which relative heights refer: that of the site at the launch, or else that of the plan. */
+    /**
+     * The level from which relative heights are measured: that of the site at the launch position, or else that stated
+     * in the plan.
+     */
     private double launchHeight() {
         if (launch.isEmpty()) {
             launch = OptionalDouble.of(foundLaunchHeight());

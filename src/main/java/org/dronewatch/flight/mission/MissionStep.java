@@ -3,16 +3,16 @@ package org.dronewatch.flight.mission;
 import java.util.Optional;
 import org.dronewatch.geo.EarthPoint;
 
-/** What one item of a mission makes the drone do. */
+/** A step of a mission: an action of the drone that one item of the mission commands. */
 sealed interface MissionStep {
-    /** Where it is in the file, for messages. */
+    /** The location of the item in the file, for messages. */
     String where();
 
     /** The level from which a height is measured. */
     enum Frame {
         /** Sea level. */
         SEA,
-        /** The ground at the launch. */
+        /** The ground at the launch position. */
         HOME,
         /** The surface below the place. */
         SURFACE
@@ -21,7 +21,7 @@ sealed interface MissionStep {
     /**
      * A height, m.
      *
-     * @param frame what it is measured from
+     * @param frame the level from which it is measured
      */
     record Height(Frame frame, double metres) {}
 

@@ -17,16 +17,16 @@ import org.dronewatch.setting.input.JsonText;
 import tools.jackson.databind.JsonNode;
 
 /**
- * A plan of QGroundControl: a JSON file with a mission, whose items are commands of MAVLink. What moves the drone is
- * understood, or the file is refused; what does not move it is left out and reported.
+ * A plan of QGroundControl: a JSON file with a mission, whose items are commands of MAVLink. A file with an unsupported
+ * command that moves the drone is rejected; commands that do not move it are left out and reported.
  *
- * @param hash its name and the hash of its bytes
- * @param home where the drone is launched; empty when the plan does not say
- * @param homeHeight height of the launch above sea level, as the plan states it, m
- * @param speed of the vehicle, m/s
- * @param steps what it does
- * @param warnings what is left out or flown otherwise, a line for each
- * @param items how many items the mission has
+ * @param hash name of the file and the hash of its bytes
+ * @param home launch position of the drone; empty if the plan does not state it
+ * @param homeHeight height of the launch position above sea level, as stated in the plan, m
+ * @param speed speed of the vehicle, m/s
+ * @param steps the steps of the mission
+ * @param warnings a line for each item that is left out or flown differently
+ * @param items number of items of the mission
  */
 record PlanFile(
         FileHash hash,
@@ -36,7 +36,7 @@ record PlanFile(
         List<MissionStep> steps,
         List<String> warnings,
         int items) {
-    /** The greatest number of items of a mission, with those of its surveys. */
+    /** The greatest number of items of a mission, including those of its surveys. */
     static final int MOST_ITEMS = 10_000;
 
     private static final double FASTEST = 400.0;
@@ -49,7 +49,7 @@ record PlanFile(
     /**
      * Reads a plan.
      *
-     * @param name what messages call it
+     * @param name name of the file in messages
      * @throws InputException when it is not a plan, or has an item that is not supported
      */
     static PlanFile read(String name, byte[] bytes) {
@@ -146,7 +146,10 @@ record PlanFile(
             }
         }
 
-        /** Surveys, whose simple items QGroundControl writes beside what they were made from, and landing patterns. */
+        /**
+         * Reads a complex item: a landing pattern, or a survey, for which QGroundControl writes the simple items to be
+         * flown beside the settings from which it computed them.
+         */
         private void complex(JsonNode item, String where) {
             String kind = item.path("complexItemType").asString("");
             JsonNode transects = item.path("TransectStyleComplexItem").path("Items");
@@ -255,7 +258,7 @@ record PlanFile(
             }
             double speed = params.get(1).isNumber() ? params.get(1).doubleValue() : -1.0;
             if (speed == -1.0 || speed == -2.0) {
-                // MAVLink: no change, or back to the default.
+                // In MAVLink, these values mean no change, or a return to the default.
                 warnings.add(where + ": a change of speed that states no speed is left out");
                 return;
             }

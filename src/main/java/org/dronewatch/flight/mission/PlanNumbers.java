@@ -10,16 +10,16 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
 /**
- * Reads the numbers of a plan's items, each of which has seven parameters (MAVLink, MISSION_ITEM): the first four mean
- * what the command says, the others latitude, longitude and height.
+ * Reads the numbers of a plan's items, each of which has seven parameters (MAVLink, MISSION_ITEM): the meaning of the
+ * first four depends on the command; the others are latitude, longitude and height.
  *
- * @param name what messages call the file
+ * @param name name of the file in messages
  */
 record PlanNumbers(String name) {
     /** The longest wait, s: more than three years. */
     private static final double LONGEST = 1e8;
 
-    /** The greatest height, up or down, m. */
+    /** The greatest magnitude of a height, m. */
     static final double HIGHEST = 100_000.0;
 
     /** The frames of MAVLink (MAV_FRAME) in which a mission may state heights. */
@@ -39,7 +39,9 @@ record PlanNumbers(String name) {
         return point(params.get(4), params.get(5), where);
     }
 
-    /** Zeros mean the place where the drone is. */
+    /**
+     * The place in an item; empty if its latitude and longitude are 0, which stands for the drone's current position.
+     */
     Optional<EarthPoint> placeIfAny(JsonNode params, String where) {
         boolean none = params.get(4).isNull()
                 || params.get(5).isNull()
@@ -75,7 +77,7 @@ record PlanNumbers(String name) {
     }
 
     /**
-     * The seven parameters of an item; earlier versions of QGroundControl wrote four, and the place apart from them.
+     * The seven parameters of an item; earlier versions of QGroundControl wrote only four, and the place separately.
      *
      * @throws InputException unless there are seven
      */

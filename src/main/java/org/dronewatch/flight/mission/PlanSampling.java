@@ -8,21 +8,21 @@ import org.dronewatch.flight.FlightPath;
 import org.dronewatch.geometry.Position;
 
 /**
- * The waypoints of a flight, with the waits at them: sampled positions, chosen so that the flight is nowhere farther
- * than a tolerance from the straight lines between them (Douglas and Peucker, Algorithms for the reduction of the
- * number of points required to represent a digitized line, The Canadian Cartographer 10, 1973).
+ * Finds the waypoints of a flight, with the waits at them: they are sampled positions, chosen so that the flight is
+ * nowhere farther than a tolerance from the straight lines between them (Douglas and Peucker, Algorithms for the
+ * reduction of the number of points required to represent a digitized line, The Canadian Cartographer 10, 1973).
  */
 final class PlanSampling {
-    /** Between two samples, s. */
+    /** The time between two samples, s. */
     private static final double STEP = 0.1;
 
-    /** The greatest number of samples: a longer flight is sampled more rarely. */
+    /** The greatest number of samples: a longer flight is sampled less often. */
     private static final int MOST_SAMPLES = 200_000;
 
-    /** A drone slower than this waits, m/s. */
+    /** A drone slower than this counts as waiting, m/s. */
     private static final double STILL = 0.02;
 
-    /** The shortest wait that counts: at a corner, a drone is slow for a moment, too, s. */
+    /** The shortest wait that counts, s: a drone is also slow for a moment at a corner. */
     private static final double SHORTEST_WAIT = 1.0;
 
     /** The finest tolerance, m. */
@@ -37,9 +37,9 @@ final class PlanSampling {
     /**
      * A waypoint.
      *
-     * @param at m
+     * @param at position of the waypoint, m
      * @param speed the greatest speed on the leg to it, m/s
-     * @param hold how long the drone waits there, s
+     * @param hold time for which the drone waits there, s
      */
     record Waypoint(Position at, double speed, double hold) {}
 
@@ -53,7 +53,7 @@ final class PlanSampling {
     /**
      * Samples a flight.
      *
-     * @param until its end, s
+     * @param until end of the flight, s
      */
     PlanSampling(FlightPath path, double until) {
         int count = (int) Math.min(MOST_SAMPLES, Math.ceil(until / STEP)) + 1;
@@ -89,7 +89,7 @@ final class PlanSampling {
                 keep(kept, from, i, tolerance);
                 append(all, kept, from, i);
                 Waypoint end = all.isEmpty() ? new Waypoint(places[0], 0.0, 0.0) : all.remove(all.size() - 1);
-                // Where the flight ends, the drone stays in any case.
+                // The drone stays at the end of the flight in any case.
                 double hold = last == places.length - 1 ? 0.0 : (last - i) * step;
                 all.add(new Waypoint(end.at, end.speed, hold));
                 from = last;
@@ -98,7 +98,7 @@ final class PlanSampling {
         return all;
     }
 
-    /** The last sample at which the drone is still where it was at another one. */
+    /** The last sample at which the drone is still at its position at the given one. */
     private int endOfWait(int first) {
         int last = first;
         while (last + 1 < places.length && places[last + 1].distance(places[last]) <= STILL * step) {
@@ -107,7 +107,7 @@ final class PlanSampling {
         return last;
     }
 
-    /** Marks the ends of some samples, and those between them that are needed. */
+    /** Marks the first and the last of some samples, and those between them that are needed. */
     private void keep(boolean[] kept, int first, int last, double tolerance) {
         kept[first] = true;
         kept[last] = true;

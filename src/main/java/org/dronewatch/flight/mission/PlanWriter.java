@@ -24,32 +24,36 @@ public final class PlanWriter {
     public static final Pattern FIRST_LINE =
             Pattern.compile(Pattern.quote("{\"fileType\": \"Plan\", \"groundStation\": \"dronewatch\","));
 
-    /** PX4 (MAV_AUTOPILOT_PX4). */
+    /** The type of autopilot: PX4 (MAV_AUTOPILOT_PX4). */
     private static final int FIRMWARE = 12;
 
     private static final int QUADROTOR = 2;
     private static final int FIXED_WING = 1;
 
-    /** Heights above the launch (MAV_FRAME_GLOBAL_RELATIVE_ALT), and none (MAV_FRAME_MISSION). */
+    /**
+     * The frames of items with heights above the launch position (MAV_FRAME_GLOBAL_RELATIVE_ALT), and of items without
+     * a position (MAV_FRAME_MISSION).
+     */
     private static final int RELATIVE = 3;
 
     private static final int NO_FRAME = 2;
 
-    /** Heights relative to the launch, as QGroundControl numbers its modes. */
+    /** The number of the mode in QGroundControl in which heights are relative to the launch position. */
     private static final int RELATIVE_MODE = 1;
 
-    /** Autopilots do not take off to lower heights, m. */
+    /** The least height to which autopilots take off, m. */
     private static final double LOWEST = 1.0;
 
     /**
-     * A flight nearer than this to the surface has landed; one that moves aside by less goes straight up or down, m.
+     * A flight nearer than this to the surface counts as landed; one that moves sideways by less than this counts as
+     * vertical, m.
      */
     private static final double NEAR = 0.5;
 
-    /** Smaller changes of speed are not worth an item. */
+    /** Changes of speed smaller than this are not worth an item, m/s. */
     private static final double SAME_SPEED = 0.01;
 
-    /** The speed of a flight that goes nowhere, m/s. */
+    /** The speed stated in the plan of a flight that does not move, m/s. */
     private static final double USUAL_SPEED = 5.0;
 
     private static final int DECIMALS_OF_DEGREES = 8;
@@ -120,7 +124,10 @@ public final class PlanWriter {
         return new GeoPoint(above.longitude(), above.latitude(), height.orElse(above.height()));
     }
 
-    /** Climbs to the start, or from a start on the ground to where the flight first turns; gives the next waypoint. */
+    /**
+     * Writes the take-off: a climb to the start or, from a start on the ground, to the point at which the flight first
+     * turns. Returns the index of the next waypoint.
+     */
     private int takeOff(List<PlanSampling.Waypoint> stops) {
         Position start = stops.get(0).at();
         boolean isOnTheGround = relative(start) < LOWEST;
@@ -223,7 +230,10 @@ public final class PlanWriter {
         return GeoPoint.rounded(value, DECIMALS);
     }
 
-    /** Longitudes of a frame continue beyond the date line; those of a plan do not. */
+    /**
+     * A number of degrees as a plan states it: longitudes of a frame continue beyond the date line; those of a plan do
+     * not.
+     */
     private static BigDecimal degrees(double value) {
         return GeoPoint.rounded(
                 Math.abs(value) > 180.0 ? Math.IEEEremainder(value, 360.0) : value, DECIMALS_OF_DEGREES);

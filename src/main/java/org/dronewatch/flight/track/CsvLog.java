@@ -16,13 +16,13 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Reads a log in CSV: a header, then a row for each time. Columns are known by their names, in any order; others are
- * left out.
+ * Reads a log in CSV: a header, then a row for each time. Columns are recognised by their names, in any order; other
+ * columns are ignored.
  */
 final class CsvLog {
     private static final double HIGHEST = 100_000.0;
 
-    /** Seconds on whatever clock: those since 1970 in microseconds are the largest. */
+    /** The largest time on any clock: the largest numbers are those of microseconds since 1970. */
     private static final double LATEST = 1e16;
 
     private final String name;
@@ -36,8 +36,8 @@ final class CsvLog {
     /**
      * Reads a file.
      *
-     * @param shown its name, for messages
-     * @param heights which of several columns of heights counts
+     * @param shown name of the file in messages
+     * @param heights level from which heights are measured, which determines the column to use if there are several
      * @param track must be empty: a log has one flight
      * @throws InputException with a one-line message when columns are missing, or a row is invalid
      */

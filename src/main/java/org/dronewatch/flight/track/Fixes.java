@@ -16,11 +16,11 @@ final class Fixes {
     private int repeated;
 
     /**
-     * Where the drone was.
+     * A position of the drone as it was recorded.
      *
-     * @param line of the file
-     * @param time s, on whatever clock; not a number if the file has none
-     * @param height m
+     * @param line number of the line in the file
+     * @param time time on any clock, s; NaN if the file has no times
+     * @param height height, m; empty if the file has none
      */
     record Fix(long line, double time, EarthPoint place, OptionalDouble height) {
         boolean isTimed() {
@@ -29,10 +29,10 @@ final class Fixes {
     }
 
     /**
-     * What was read.
+     * The points that were read.
      *
-     * @param fixes at least one; either all with increasing times, or none with a time
-     * @param notes what was left out, a line for each thing
+     * @param fixes one or more points; either all of them have a time, in increasing order, or none has
+     * @param notes a line for each kind of content that was left out
      */
     record Points(List<Fix> fixes, List<String> notes) {
         Points {
@@ -45,7 +45,7 @@ final class Fixes {
         }
     }
 
-    /** No points yet. */
+    /** A collection without points. */
     Fixes(String name) {
         this.name = name;
     }
@@ -54,7 +54,7 @@ final class Fixes {
         return all.size();
     }
 
-    /** Adds a point; one at the same time as the last is left out. */
+    /** Adds a point; a point with the same time as the one before it is left out. */
     void add(Fix fix) {
         if (!all.isEmpty()) {
             Fix last = all.get(all.size() - 1);

@@ -19,7 +19,7 @@ import org.dronewatch.setting.input.XmlText;
 /** Reads a track or a route of a GPX file (1.0 or 1.1). */
 final class GpxFile {
     private static final double HIGHEST = 100_000.0;
-    /** The depth of an element of a track in the file. */
+    /** The depth in the file of an element that belongs directly to a track. */
     private static final int DEPTH_IN_TRACK = 3;
 
     private static final int LONGEST_TEXT = 200;
@@ -43,9 +43,10 @@ final class GpxFile {
     /**
      * Reads a file.
      *
-     * @param shown its name, for messages
+     * @param shown name of the file in messages
      * @param wanted name of the track, if it has several
-     * @throws InputException with a one-line message when it is not GPX, or the point in a line is invalid
+     * @throws InputException with a one-line message when the file is not GPX or has an invalid point; the message
+     *     gives the line
      */
     static Fixes.Points read(String shown, byte[] bytes, Optional<String> wanted) {
         String name = PlainText.value(shown);
@@ -60,7 +61,7 @@ final class GpxFile {
         return file.chosen(wanted);
     }
 
-    /** Names of tracks come before their points. */
+    /** Handles the start of an element. The name of a track comes before its points. */
     private void start(XmlText xml) throws XMLStreamException {
         switch (xml.element()) {
             case "trk", "rte" -> {
@@ -70,7 +71,7 @@ final class GpxFile {
                 keep(unnamed + (tracks.size() + 1));
             }
             case "name" -> {
-                // The name is not that of the file or of a point, nor one in an extension.
+                // The name is that of the track, not of the file or of a point, nor one in an extension.
                 boolean isOfTrack = xml.depth() == DEPTH_IN_TRACK;
                 String text = xml.content();
                 if (isOfTrack && course != null && course.fixes.size() == 0) {
@@ -91,7 +92,7 @@ final class GpxFile {
             }
             case "wpt" -> waypoints++;
             default -> {
-                // Metadata, extensions and the like.
+                // Metadata, extensions and other content that is not needed.
             }
         }
     }

@@ -11,11 +11,11 @@ import org.dronewatch.setting.InputException;
 import org.dronewatch.setting.PlainText;
 
 /**
- * Which columns of a log are read. A name may carry its unit: {@code altitude_m}, {@code height(feet)},
+ * The columns of a log that are read. A name may carry its unit: {@code altitude_m}, {@code height(feet)},
  * {@code time [ms]}.
  *
- * @param time if the log has times
- * @param height if the log has heights
+ * @param time column of the times, if the log has times
+ * @param height column of the heights, if the log has heights
  */
 record LogColumns(Optional<Column> time, Column latitude, Column longitude, Optional<Column> height) {
     private static final Pattern WITH_UNIT = Pattern.compile(
@@ -67,18 +67,18 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
     /**
      * A column.
      *
-     * @param index its place in a row
-     * @param name as in the file
-     * @param unit by which its numbers are multiplied
-     * @param isClock whether it may hold times of day
+     * @param index its index in a row
+     * @param name name of the column in the file
+     * @param unit factor by which its numbers are multiplied
+     * @param isClock whether it may contain dates with times of day
      */
     record Column(int index, String name, double unit, boolean isClock) {}
 
     /**
      * Finds the columns of a header.
      *
-     * @param file its name, for messages
-     * @param heights what heights are to count from
+     * @param file name of the file in messages
+     * @param heights level from which heights are to be measured
      * @throws InputException when a column is missing
      */
     static LogColumns of(String file, List<String> header, Track.Heights heights) {
@@ -104,7 +104,7 @@ record LogColumns(Optional<Column> time, Column latitude, Column longitude, Opti
                 + " among " + PlainText.beginning(known, PlainText.LONGEST));
     }
 
-    /** The column with the first of some names that there is. */
+    /** The column with the first of some names that occurs in the header. */
     private static Optional<Column> find(List<String> header, List<String> names) {
         for (String name : names) {
             for (int i = 0; i < header.size(); i++) {

@@ -6,7 +6,9 @@ import java.time.LocalDateTime;
 import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
 
-/** Times of day in files, by ISO 8601; one without a zone counts as UTC, since only differences matter. */
+/**
+ * Dates with times of day in files, as in ISO 8601; a time without a zone counts as UTC, since only differences matter.
+ */
 final class LogTime {
     private static final double NANO = 1e-9;
 
@@ -15,7 +17,7 @@ final class LogTime {
     /**
      * Seconds since 1970.
      *
-     * @throws DateTimeException when it is not such a time
+     * @throws DateTimeException when the text is not such a time
      */
     static double seconds(String text) {
         String plain = text.strip().replaceFirst("^(\\d{4}-\\d{2}-\\d{2}) ", "$1T");

@@ -71,7 +71,7 @@ public record Track(
         while (first < bytes.length && (bytes[first] < 0 || Character.isWhitespace(bytes[first]))) {
             first++;
         }
-        // A GPX file begins with its first element, perhaps after a mark of the byte order.
+        // A GPX file begins with its first element, perhaps after a byte order mark.
         boolean isXml = first < bytes.length && bytes[first] == '<';
         return new TrackedFlight(
                 this, isXml ? GpxFile.read(shown, bytes, track) : CsvLog.read(shown, bytes, heights, track), bytes);

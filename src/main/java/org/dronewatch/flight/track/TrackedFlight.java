@@ -25,10 +25,10 @@ import org.dronewatch.world.Places;
 
 /** A track as it was read. */
 final class TrackedFlight implements FlightSource {
-    /** Faster than any drone, m/s: such a jump is an error of the receiver. */
+    /** A speed greater than any drone's, m/s: a faster jump is an error of the receiver. */
     private static final double FASTEST = 400.0;
 
-    /** Below this speed the nose stays where it was, m/s. */
+    /** Below this speed, the nose keeps its heading, m/s. */
     private static final double STILL = 0.05;
 
     private final Track settings;
@@ -112,7 +112,9 @@ final class TrackedFlight implements FlightSource {
         return apart;
     }
 
-    /** What must be added to the heights in the file to refer them to the level of the origin's height. */
+    /**
+     * The offset that must be added to the heights in the file to refer them to the level of the origin's height, m.
+     */
     private double launch(Places places) {
         Fixes.Fix first = points.fixes().get(0);
         EarthPoint place = first.place();

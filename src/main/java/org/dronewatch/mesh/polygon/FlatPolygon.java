@@ -109,7 +109,7 @@ final class FlatPolygon {
         return flat;
     }
 
-    /** A unit vector across a unit vector: an axis, exactly, where that is across. */
+    /** A unit vector perpendicular to a unit vector: exactly an axis, if one is perpendicular to it. */
     private static double[] across(double[] up) {
         int axis = 0;
         for (int k = 1; k < 3; k++) {
@@ -174,8 +174,8 @@ final class FlatPolygon {
     }
 
     /**
-     * Whether a fan from its first corner covers it: none of the triangles is turned over, by more than the rounding of
-     * their corners can do, and those that are have a negligible area.
+     * Whether a fan from its first corner covers it: no triangle is turned over by more than the rounding of its
+     * corners can cause, and those that are turned over have a negligible area.
      */
     boolean isSeenFromItsFirstCorner() {
         double turned = 0.0;

@@ -31,7 +31,10 @@ public final class Canvas {
         Arrays.fill(triangle, NOTHING);
     }
 
-    /** A copy to draw on: of colours and depths; the triangles, which only drawing the world changes, are shared. */
+    /**
+     * A copy to draw on. Colours and depths are copied; the triangles, which change only when the world is drawn, are
+     * shared.
+     */
     public Canvas copy() {
         return new Canvas(this);
     }

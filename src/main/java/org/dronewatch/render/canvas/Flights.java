@@ -34,7 +34,7 @@ public final class Flights {
         sample();
     }
 
-    /** Samples what is known by now, and was not before. */
+    /** Samples what has become known since the last call. */
     private void sample() {
         double known = stage.known();
         while (sampled <= STEPS && sampled * step <= known) {

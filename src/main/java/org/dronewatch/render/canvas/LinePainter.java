@@ -8,7 +8,7 @@ import org.dronewatch.sensor.optics.CameraObject;
  * for a hundred thousand sound rays in a moving view.
  */
 public final class LinePainter {
-    /** Nearer parts of a line are cut off, m. */
+    /** Parts of a line whose depth is less than this are cut off, m. */
     private static final double NEAR = 0.02;
 
     /** Depth bias, in pixels, because a line may lie on a surface. */
@@ -90,7 +90,7 @@ public final class LinePainter {
                 share);
     }
 
-    /** Moves the end that is too near, or behind, to where the line comes near enough. */
+    /** Moves the end that is too near the eye, or behind it, along the line to the least depth that is drawn. */
     private static void shorten(double[] end, double[] other) {
         double share = (NEAR - end[2]) / (other[2] - end[2]);
         end[0] += share * (other[0] - end[0]);
@@ -148,7 +148,8 @@ public final class LinePainter {
     /**
      * Whether a point is in the picture, kept by the cut, and nothing hides it.
      *
-     * @param size of the thing there, m: what is nearer to it than this is a part of it
+     * @param size size of the thing at the point, m: a surface that is nearer to the point than this counts as a part
+     *     of it
      */
     boolean sees(Position point, double size) {
         if (cut != null && !cut.keeps(point)) {

@@ -74,7 +74,7 @@ public final class OutlinePainter {
         }
     }
 
-    /** Its outer edge at its top, middle and bottom, and its sides unless it goes all round. */
+    /** Draws the outer edge of a sector at its top, middle and bottom, and its sides unless it goes all round. */
     private void drawSector(Position at, Outline.Sector sector, double width, int colour, double share) {
         double range = Math.min(sector.maxRange(), 3.0 * length);
         double first = sector.azimuth() - 0.5 * sector.azimuthWidth();
@@ -106,7 +106,7 @@ public final class OutlinePainter {
         return at.plus(new Position(level * Math.sin(azimuth), level * Math.cos(azimuth), range * Math.sin(elevation)));
     }
 
-    /** Its three great circles. */
+    /** Draws the three great circles of a ball. */
     private void drawBall(Position at, double radius, double width, int colour, double share) {
         for (int i = 0; i < STEPS; i++) {
             double a = 2.0 * Math.PI * i / STEPS;

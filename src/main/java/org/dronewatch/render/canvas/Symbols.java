@@ -28,7 +28,7 @@ public final class Symbols {
     private static final Color HIDDEN_PLATE = new Color(24, 28, 34, 110);
     private static final float HIDDEN = 0.45f;
     private static final double SIZE = 7.0;
-    /** How large a sensor may be that the model of the site already shows, m. */
+    /** The greatest size of a sensor that the model of the site itself contains, m. */
     private static final double SENSOR = 0.1;
 
     /** Sensors closer together than this share a label, in pixels of a normal screen. */
@@ -195,7 +195,7 @@ public final class Symbols {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
     }
 
-    /** Sensors at one position share one label. */
+    /** Adds the name of a sensor to be written; sensors at one position share one label. */
     private void name(double x, double y, String id, boolean hidden, boolean selected) {
         for (int i = 0; i < names.size(); i++) {
             Name other = names.get(i);

@@ -13,7 +13,7 @@ import java.util.function.IntConsumer;
 
 /**
  * Makes videos of runs: MP4 files with H.264, playable in browsers and presentations, or GIF files for pages that show
- * pictures only.
+ * only pictures.
  */
 public final class FilmMaker {
     private final Film film;

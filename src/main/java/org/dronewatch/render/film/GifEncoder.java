@@ -53,7 +53,7 @@ final class GifEncoder implements FilmEncoder {
         frames++;
     }
 
-    /** The image without the pixels that are as in the frame before; they are transparent. */
+    /** The image without the pixels that are the same as in the previous frame; these are transparent. */
     private BufferedImage changes(BufferedImage image) {
         int width = image.getWidth();
         int height = image.getHeight();
@@ -97,7 +97,9 @@ final class GifEncoder implements FilmEncoder {
         return metadata;
     }
 
-    /** When a number of frames have been shown, in hundredths of a second: rounding must not add up. */
+    /**
+     * The time at which a number of frames have been shown, in hundredths of a second: rounding errors must not add up.
+     */
     private int ends(int shown) {
         return Math.round((float) HUNDREDTHS * shown / fps);
     }

@@ -22,7 +22,7 @@ final class AirPath {
     /**
      * Starts at a height, km, towards the top of the air or the ground.
      *
-     * @param sine of the line's elevation
+     * @param sine sine of the line's elevation
      */
     void start(double fromHeight, double sine, int number) {
         radius = ClearAir.EARTH + fromHeight;
@@ -34,7 +34,7 @@ final class AirPath {
         from = 0.0;
     }
 
-    /** Goes on by a step; false at the end. */
+    /** Advances by a step; false at the end. */
     boolean next() {
         if (step == steps) {
             return false;
@@ -51,7 +51,7 @@ final class AirPath {
         return true;
     }
 
-    /** A point on the line by a fraction from 0 to 1. */
+    /** The position of a point on the line, given by a fraction from 0 to 1. */
     private double place(double share) {
         // A line that ends at the ground is lowest there.
         double border = lowest == end ? 1.0 : Math.min(0.5, lowest / end);

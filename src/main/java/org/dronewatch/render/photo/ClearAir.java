@@ -4,15 +4,15 @@ import java.util.Arrays;
 import org.dronewatch.world.ClearSky;
 
 /**
- * The clear air of a round earth without refraction: air, haze and ozone, each as the fraction of its vertical column
- * in a kilometre. Heights and distances are in km, optical depths are for light from the zenith and by channel: red,
- * green and blue are light of 610, 550 and 465 nm.
+ * The clear air of a round earth without refraction: the densities of air, haze and ozone are given as the fraction of
+ * the vertical column that a kilometre contains. Heights and distances are in km, optical depths are for light from the
+ * zenith and by channel: red, green and blue are light of 610, 550 and 465 nm.
  */
 final class ClearAir {
     /** Radius of the earth. */
     static final double EARTH = 6371.0;
 
-    /** Above this height nothing is scattered. */
+    /** The height above which nothing is scattered. */
     static final double TOP = 160.0;
 
     /** Density of the air every ten kilometres, relative to that at the ground (U.S. Standard Atmosphere, 1976). */
@@ -41,7 +41,7 @@ final class ClearAir {
     private static final double[] AIR = {0.064, 0.097, 0.193};
 
     /**
-     * Optical depths of 300 Dobson units of ozone, of the cross-sections of its Chappuis bands (Gorshelev and others,
+     * Optical depths of 300 Dobson units of ozone, from the cross-sections of its Chappuis bands (Gorshelev and others,
      * Atmospheric Measurement Techniques 7, 2014, 609).
      */
     private static final double[] OZONE = {0.037, 0.027, 0.004};
@@ -52,7 +52,7 @@ final class ClearAir {
      */
     private static final double[] HAZE = {0.0752, 0.086, 0.107};
 
-    /** The fraction of what haze takes away that it scatters: assumed, as by Hillaire 2020. */
+    /** The scattered fraction of the light that haze takes away: assumed, as by Hillaire 2020. */
     private static final double HAZE_SCATTERS = 0.9;
 
     /** How much haze scatters forward: the asymmetry of Henyey and Greenstein (1941), as by Nishita and others 1993. */
@@ -60,7 +60,7 @@ final class ClearAir {
 
     private ClearAir() {}
 
-    /** Density of air: the fraction of its vertical column in a kilometre. */
+    /** The density of air: the fraction of its vertical column that a kilometre at this density contains. */
     static double air(double height) {
         int layer = Math.min(LOGARITHMS.length - 2, (int) (height / LAYER));
         double share = height / LAYER - layer;
@@ -84,17 +84,17 @@ final class ClearAir {
         return Math.max(0.0, 1.0 - Math.abs(height - OZONE_HEIGHT) / OZONE_REACH) / OZONE_REACH;
     }
 
-    /** Optical depth of columns of air, haze and ozone, 1 each for the whole of them above the ground. */
+    /** Optical depth of columns of air, haze and ozone, each as a fraction of the whole column above the ground. */
     static double depth(int channel, double air, double haze, double ozone) {
         return AIR[channel] * air + HAZE[channel] * haze + OZONE[channel] * ozone;
     }
 
-    /** What air scatters, of a column or a density. */
+    /** What the air of a column, or of a density, scatters. */
     static double scatteredByAir(int channel, double air) {
         return AIR[channel] * air;
     }
 
-    /** What haze scatters, of a column or a density. */
+    /** What the haze of a column, or of a density, scatters. */
     static double scatteredByHaze(int channel, double haze) {
         return HAZE[channel] * HAZE_SCATTERS * haze;
     }

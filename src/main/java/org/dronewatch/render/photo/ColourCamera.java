@@ -125,7 +125,7 @@ public final class ColourCamera {
     }
 
     /**
-     * The mean radiance of a pixel in red, green and blue, over that of a white, matt, level surface in all the
+     * The mean radiance of a pixel in red, green and blue, relative to that of a white, matt, level surface in all the
      * light.
      */
     double[] radiance(int column, int row, List<Drone> drones) {

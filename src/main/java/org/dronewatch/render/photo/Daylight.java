@@ -46,7 +46,7 @@ final class Daylight {
         return sun.map(Light.Sun::direction);
     }
 
-    /** Elevation of the sun, rad; that of a sun below the horizon where there is none. */
+    /** Elevation of the sun, rad; if there is none, that of a sun below the horizon. */
     double elevation() {
         return sun.map(Light.Sun::elevation).orElse(-0.5 * Math.PI);
     }

@@ -64,7 +64,7 @@ final class DroneLayer {
         return right >= column && left <= column + columns && bottom >= row && top <= row + rows;
     }
 
-    /** Writes a point of the world, or with a last component of 0 a direction, as it is in the model's space. */
+    /** Transforms a point of the world into the model's space, or a direction if the last component is 0. */
     void toModel(double[] vector, double last, double[] target) {
         Matrix4d m = toModel;
         target[0] = m.m00 * vector[0] + m.m01 * vector[1] + m.m02 * vector[2] + last * m.m03;

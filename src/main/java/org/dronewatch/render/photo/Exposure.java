@@ -23,10 +23,12 @@ final class Exposure {
 
     private static final double MOST = 6.0;
 
-    /** Exposure of the brightest twentieth, as the exponent: it keeps its colour, at the price of a darker picture. */
+    /**
+     * The greatest exponent for the brightest twentieth, which thus keeps its colour, at the price of a darker picture.
+     */
     private static final double BRIGHT = 1.6;
 
-    /** The price is at most this. */
+    /** The least fraction to which a picture may be darkened for that. */
     private static final double SPARED = 0.55;
 
     private static final int[][] BAYER = bayer();
@@ -37,7 +39,7 @@ final class Exposure {
      * The exposure of a picture.
      *
      * @param mean logarithmic mean of its brightness, relative to a white, matt, level surface
-     * @param bright what only the brightest twentieth of it exceeds
+     * @param bright brightness that only the brightest twentieth of the picture exceeds
      * @param illuminance of level ground, lx
      */
     Exposure(double mean, double bright, double illuminance) {
@@ -50,7 +52,7 @@ final class Exposure {
     /**
      * The exposure of a picture.
      *
-     * @param brightness above 0, of places spread evenly over the picture; they are put in order
+     * @param brightness brightness, above 0, at places spread evenly over the picture; the array is sorted
      * @param illuminance of level ground, lx
      */
     static Exposure of(double[] brightness, double illuminance) {
@@ -89,7 +91,7 @@ final class Exposure {
      * step where one would be.
      *
      * @param over by how much the brightest channel exceeds the pixel's brightness
-     * @param room by how much a screen's brightest exceeds it
+     * @param room by how much a screen's greatest brightness exceeds the pixel's brightness
      */
     private static double colourful(double over, double room) {
         if (over <= 0.0) {
@@ -121,7 +123,7 @@ final class Exposure {
         return linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1.0 / 2.4) - 0.055;
     }
 
-    /** The fraction of the light that a surface reflects whose colour on a screen is this, 0 to 255. */
+    /** The fraction of the light that is reflected by a surface whose colour has this level on a screen, 0 to 255. */
     static double decoded(int level) {
         double share = level / 255.0;
         return share <= 0.04045 ? share / 12.92 : Math.pow((share + 0.055) / 1.055, 2.4);

@@ -16,13 +16,13 @@ final class MultipleScattering {
     /** Signed square root of the sun's lowest elevation over 90 degrees: 27 degrees below the horizon. */
     private static final double LOWEST = -0.55;
 
-    /** Directions in which a point looks: by elevation, and in half the azimuths. */
+    /** The numbers of elevations and, over half a turn, of azimuths in which a point looks. */
     private static final int LEVELS = 12;
 
     private static final int AROUND = 4;
     private static final int STEPS = 16;
 
-    /** The darkest, so that its logarithm is finite. */
+    /** The least radiance, so that its logarithm is finite. */
     private static final double DARK = 1e-20;
 
     /** Logarithms, by height, elevation of the sun and channel: in twilight light falls by powers of ten. */
@@ -108,9 +108,9 @@ final class MultipleScattering {
     }
 
     /**
-     * Writes the mean radiance from all directions, over the sun's irradiance outside the air, 1/sr.
+     * Writes the mean radiance from all directions, relative to the sun's irradiance outside the air, 1/sr.
      *
-     * @param height km, 0 to {@link ClearAir#TOP}
+     * @param height height of the point, km, 0 to {@link ClearAir#TOP}
      * @param up sine of the sun's elevation
      */
     static void write(double height, double up, double[] rgb) {

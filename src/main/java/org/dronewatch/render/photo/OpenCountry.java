@@ -9,7 +9,7 @@ import org.dronewatch.world.World;
  * it fades into the sky at the horizon. Immutable.
  */
 final class OpenCountry {
-    /** It is never nearer to a camera than the eyes of someone who stands there, m. */
+    /** The least height of a camera above the country, m: that of the eyes of someone who stands there. */
     private static final double EYES = 1.7;
 
     private final double height;
@@ -44,10 +44,10 @@ final class OpenCountry {
     }
 
     /**
-     * How far away it is, m.
+     * How far away the country is, m.
      *
      * @param from height of the camera, m
-     * @param down sine of the elevation in which it is seen, below 0
+     * @param down sine of the elevation at which it is seen, below 0
      */
     double distance(double from, double down) {
         return Math.max(EYES, from - height) / -down;

@@ -53,7 +53,7 @@ final class PhotoTile {
      * Writes the pixels of a tile.
      *
      * @param layers drones that may appear in it
-     * @param width of the picture
+     * @param width width of the picture, pixels
      */
     void expose(
             int left,

@@ -1,9 +1,9 @@
 package org.dronewatch.render.photo;
 
 /**
- * The radiance of a clear sky as seen from the ground of a round earth, over the sun's irradiance outside the air,
- * 1/sr: sunlight that air and haze scatter once towards the observer (after Nishita and others, "Display of the earth
- * taking into account atmospheric scattering", SIGGRAPH 1993), light that was scattered more often ({@link
+ * The radiance of a clear sky as seen from the ground of a round earth, relative to the sun's irradiance outside the
+ * air, 1/sr: sunlight that air and haze scatter once towards the observer (after Nishita and others, "Display of the
+ * earth taking into account atmospheric scattering", SIGGRAPH 1993), light that was scattered more often ({@link
  * MultipleScattering}), and the light of the night sky. Tabulated. Immutable.
  */
 final class ScatteredLight {
@@ -38,7 +38,7 @@ final class ScatteredLight {
     /**
      * A sky.
      *
-     * @param elevation of the sun, rad; negative below the horizon
+     * @param elevation elevation of the sun, rad; negative below the horizon
      */
     ScatteredLight(double elevation) {
         for (int i = 0; i < ELEVATIONS; i++) {
@@ -78,7 +78,7 @@ final class ScatteredLight {
      *
      * @param up sine of the elevation, 0 to 1
      * @param azimuth angle from that of the sun, 0 to pi
-     * @param cosine of the angle from the sun
+     * @param cosine cosine of the angle from the sun
      */
     void radiance(double up, double azimuth, double cosine, double[] rgb) {
         double row = Math.sqrt(Math.asin(Math.max(0.0, Math.min(1.0, up))) / (0.5 * Math.PI)) * (ELEVATIONS - 1);

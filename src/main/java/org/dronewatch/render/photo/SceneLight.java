@@ -42,9 +42,9 @@ record SceneLight(World world, Daylight daylight, Sky sky, AmbientLight ambient,
      * Puts the air in front of a surface: the fraction {@link Light#contrastLeft} is left of its difference from the
      * sky at the horizon, which is what an infinitely long path through air would show (Koschmieder 1924).
      *
-     * @param direction of the line of sight, of unit length
-     * @param distance m
-     * @param rgb radiance without air, and then with it
+     * @param direction direction of the line of sight, of unit length
+     * @param distance distance of the surface, m
+     * @param rgb radiance without air in front, which is replaced by that with it
      * @param scratch for one colour
      */
     void addHaze(double[] direction, double distance, double[] rgb, double[] scratch) {

@@ -29,7 +29,7 @@ final class Shading {
     private final double[] scratch = new double[Daylight.CHANNELS];
     private final double[] point = new double[3];
 
-    /** @param rays into the hemisphere above the surface that a part of a pixel shows */
+    /** @param rays number of rays into the hemisphere above the surface that a part of a pixel shows */
     Shading(SceneLight light, int rays) {
         this.light = light;
         this.visibility = new Visibility(light.world());
@@ -41,11 +41,12 @@ final class Shading {
     /**
      * Writes the radiance of a surface towards the camera.
      *
-     * @param from the camera, m
-     * @param direction of unit length
-     * @param distance to the surface, m
-     * @param normal of the surface, to either side and of any length; afterwards of unit length and towards the camera
-     * @param surfaces of the mesh to which it belongs
+     * @param from position of the camera, m
+     * @param direction direction from the camera to the surface, of unit length
+     * @param distance distance from the camera to the surface, m
+     * @param normal normal of the surface, to either side and of any length; afterwards of unit length and towards the
+     *     camera
+     * @param surfaces surfaces of the mesh to which the surface belongs
      * @param part number of the part of a pixel that is shaded
      * @param parts how many parts a pixel has, which share the rays into the hemisphere
      * @param corners whether corners are darker, as those of the world are

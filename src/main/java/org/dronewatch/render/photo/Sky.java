@@ -50,7 +50,7 @@ final class Sky {
     /**
      * Writes the radiance in a direction, without the sun's disc; below the horizon, that at the horizon.
      *
-     * @param x of a unit vector
+     * @param x x of a unit vector
      */
     void radiance(double x, double y, double z, double[] rgb) {
         unscaled(x, y, Math.max(0.0, z), rgb);

@@ -38,7 +38,7 @@ final class SunInAir {
     /**
      * Writes the fraction for each channel; 0 where the earth is in between.
      *
-     * @param height km, 0 to {@link ClearAir#TOP}
+     * @param height height of the point, km, 0 to {@link ClearAir#TOP}
      * @param up sine of the sun's elevation
      */
     static void write(double height, double up, double[] rgb) {

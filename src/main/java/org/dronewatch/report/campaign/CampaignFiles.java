@@ -88,7 +88,7 @@ public final class CampaignFiles implements AutoCloseable {
         try {
             Files.deleteIfExists(where);
         } catch (IOException e) {
-            // What holds other files stays.
+            // A directory that holds other files is left in place.
             return;
         }
     }
@@ -217,7 +217,7 @@ public final class CampaignFiles implements AutoCloseable {
         return sensitivity;
     }
 
-    /** Copies the cases that are there into a table, up to the one with which they end. */
+    /** Copies the cases that have been run into a table, up to the one with which the campaign ends. */
     private void copyAll(
             String name, Cases cases, CampaignRun.Chunks chunks, Stopping stopping, Consumer<List<CaseResult>> also) {
         int count = CampaignRun.chunks(cases);

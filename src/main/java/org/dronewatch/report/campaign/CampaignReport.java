@@ -36,7 +36,7 @@ final class CampaignReport {
      * The report of a campaign that is complete.
      *
      * @param worst its worst cases
-     * @param command that runs a case again, without its number; empty if there is none
+     * @param command command that runs a case again, without its number; empty if there is none
      */
     CampaignReport(CampaignPlan plan, CampaignResult result, WorstCases worst, Optional<String> command) {
         this.plan = plan;

@@ -95,7 +95,7 @@ public final class CampaignWords {
         return detected + "; " + alerted;
     }
 
-    /** How near a drone came that raised no alert; empty where nothing is protected. */
+    /** How near a drone for which there was no alert came to what is protected; empty if nothing is protected. */
     private static String cameTo(CaseResult result) {
         if (result.closest().isEmpty()) {
             return "";
@@ -205,7 +205,7 @@ public final class CampaignWords {
         return String.format(Locale.ROOT, "%8.3f, %8.3f", effect.magnitude(), effect.deviation());
     }
 
-    /** Without a negative zero. */
+    /** A fraction in percent, never -0. */
     static double percent(double part) {
         double percent = PERCENT * part;
         return Math.abs(percent) < 0.05 ? 0.0 : percent;

@@ -11,7 +11,7 @@ import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.campaign.outcome.Cases;
 import org.dronewatch.report.file.WholeFile;
 
-/** Chunks of cases in a directory, a file each. */
+/** Chunks of cases, each in a separate file of one directory. */
 final class CaseChunks implements CampaignRun.Chunks {
     private final Cases cases;
     private final Path directory;

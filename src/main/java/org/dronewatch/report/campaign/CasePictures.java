@@ -30,14 +30,14 @@ public final class CasePictures {
     private static final int WIDTH = 920;
     private static final int HEIGHT = 552;
 
-    // About what the legend takes up.
+    // Approximately the room that the legend takes up.
     private static final int LEGEND_WIDTH = 260;
     private static final int LEGEND_HEIGHT = 180;
 
     /** How much smaller the site is drawn so that flights begin beside the legend. */
     private static final double ASIDE = 1.3;
 
-    /** More flights would hide one another. */
+    /** Maximum number of flights: more would hide one another. */
     private static final int MOST_FLIGHTS = 8;
 
     private final CampaignPlan plan;

@@ -48,7 +48,7 @@ final class CaseTable {
     /**
      * A table.
      *
-     * @param paths of the settings that vary, which have a column each
+     * @param paths paths of the settings that vary, each of which has a column
      */
     CaseTable(List<String> paths) {
         this.paths = List.copyOf(paths);

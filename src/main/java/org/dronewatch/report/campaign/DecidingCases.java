@@ -16,7 +16,7 @@ final class DecidingCases {
     /**
      * Cases of a campaign.
      *
-     * @param command that runs a case again, without its number; empty if there is none
+     * @param command command that runs a case again, without its number; empty if there is none
      */
     DecidingCases(CampaignPlan plan, Optional<String> command, CasePictures pictures) {
         this.plan = plan;

@@ -23,9 +23,9 @@ final class IntervalBars {
     /**
      * A bar.
      *
-     * @param words above it
+     * @param words text above the bar
      * @param low lower end of its whisker; as high as the upper end if there is none
-     * @param colour of the bar
+     * @param colour colour of the bar
      */
     private record Bar(String words, double value, double low, double high, String colour) {}
 
@@ -34,7 +34,7 @@ final class IntervalBars {
      *
      * @param label what is shown, for those who cannot see it
      * @param most the end of the scale, above 0
-     * @param unit of the values
+     * @param unit unit of the values
      */
     IntervalBars(String label, double most, String unit) {
         this.label = label;

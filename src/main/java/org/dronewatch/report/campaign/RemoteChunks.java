@@ -9,7 +9,7 @@ import org.dronewatch.campaign.CampaignPlan;
 import org.dronewatch.campaign.outcome.CaseResult;
 import org.dronewatch.campaign.outcome.Cases;
 
-/** What two processes that run one campaign exchange: which campaign it is, and the results of chunks as bytes. */
+/** What two processes that run the same campaign exchange: which campaign it is, and the results of chunks as bytes. */
 public final class RemoteChunks {
     private final CampaignPlan plan;
     private final CaseTable table;

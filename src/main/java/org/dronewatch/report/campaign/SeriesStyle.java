@@ -1,6 +1,9 @@
 package org.dronewatch.report.campaign;
 
-/** The style of a variant, the same in all figures: colours for any colour vision, and dashes. */
+/**
+ * The style of a variant, the same in all figures: a colour that can be distinguished with any colour vision, and
+ * dashes.
+ */
 final class SeriesStyle {
     /** The number of variants that a figure shows; more would hide one another. */
     static final int MOST = 6;

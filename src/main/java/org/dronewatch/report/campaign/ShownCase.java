@@ -14,8 +14,8 @@ final class ShownCase {
     /**
      * The table.
      *
-     * @param variants with which it may be shown
-     * @param command that runs a case again, without its number; empty if there is none
+     * @param variants variants with which the case may be shown
+     * @param command command that runs a case again, without its number; empty if there is none
      */
     static String html(CampaignPlan plan, int number, List<String> variants, Optional<String> command) {
         Map<String, String> values = new LinkedHashMap<>();

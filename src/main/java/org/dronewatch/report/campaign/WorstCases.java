@@ -89,7 +89,7 @@ final class WorstCases {
     /**
      * The section.
      *
-     * @param command that runs a case again, without its number; empty if there is none
+     * @param command command that runs a case again, without its number; empty if there is none
      */
     String html(CampaignPlan plan, Optional<String> command, CasePictures pictures) throws IOException {
         StringBuilder html = new StringBuilder(Html.plain("p", RULE));

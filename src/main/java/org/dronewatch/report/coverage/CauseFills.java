@@ -9,10 +9,10 @@ import org.dronewatch.report.sheet.Tint;
 import org.dronewatch.sensor.Cause;
 
 /**
- * How causes look on a map. The colours are from the palette of Okabe and Ito ("Color Universal Design", 2008), which
- * people with any kind of colour vision can distinguish; patterns distinguish the causes in black and white. Every
- * cause except {@link Cause#DETECTED} has a pattern, since lightness alone does not identify a colour on a shaded
- * slope.
+ * The appearance of causes on a map. The colours are from the palette of Okabe and Ito ("Color Universal Design",
+ * 2008), which people with any kind of colour vision can distinguish; patterns distinguish the causes in black and
+ * white. Every cause except {@link Cause#DETECTED} has a pattern, since lightness alone does not identify a colour on a
+ * shaded slope.
  */
 public final class CauseFills {
     private static final Color LIGHT_BLUE = new Color(0x9fd3f2);

@@ -52,7 +52,7 @@ final class CauseLegend {
     }
 
     /**
-     * The rows of all states that occur, and of what is detected in any case.
+     * The rows of all states that occur; there is always one for what is detected.
      *
      * @param within the time within which the drone has to be detected, with a space before it; empty for a single look
      */

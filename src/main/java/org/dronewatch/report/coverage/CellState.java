@@ -7,12 +7,12 @@ import org.dronewatch.report.sheet.MapSheet;
 import org.dronewatch.sensor.Cause;
 
 /**
- * What a map of causes shows of a cell: what is covered with the probability that is asked for counts as detected,
- * whatever the cause in a single look is; elsewhere the dominant cause. Ordered as in a legend.
+ * What a map of causes shows about a cell: a cell that is covered with the required probability counts as detected,
+ * whatever the cause in a single look is; for other cells, the map shows the dominant cause. Ordered as in a legend.
  *
  * @param kind what it is
- * @param cause the cause of a miss; {@link Cause#DETECTED} for a cell that is or was covered, and
- *     {@link Cause#UNKNOWN} for other cells that have none
+ * @param cause the cause of a miss; {@link Cause#DETECTED} for a cell that is or was covered, and {@link Cause#UNKNOWN}
+ *     for other cells that have none
  */
 record CellState(StateKind kind, Cause cause) implements Comparable<CellState> {
     /** A cell that is covered with all sensors, but not with those that remain. */

@@ -172,7 +172,7 @@ final class CoverageReport {
         return (double) height.covered() / height.known();
     }
 
-    /** A dash where no cell is known. */
+    /** A number of cells in percent; a dash if no cell is known. */
     private static String percent(int cells, HeightSummary height) {
         if (height.known() == 0) {
             return "-";

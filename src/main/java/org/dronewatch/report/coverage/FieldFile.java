@@ -155,7 +155,9 @@ public final class FieldFile {
         }
     }
 
-    /** Without a required response, or if its flight begins too near, it is not stated whether a warning is in time. */
+    /**
+     * Adds a warning. Whether it is in time is not stated if no response is required, or if its flight begins too near.
+     */
     private static void add(ObjectNode node, Warning warning, double response) {
         node.put("bearing_deg", Numbers.rounded(Math.toDegrees(warning.bearing())));
         node.put("height_m", Numbers.rounded(warning.height()));

@@ -22,7 +22,7 @@ import org.dronewatch.sensor.Cause;
 
 /** Maps of a site's coverage: the dominant cause at each height, the least visible height, and the warning. */
 final class FieldPictures {
-    /** Lines on a pale map. */
+    /** The colour of the line for the lowest height, on a pale map. */
     private static final Color NEAR_GROUND = new Color(0xd55e00);
 
     private static final Color HIGH_UP = new Color(0x0072b2);
@@ -41,7 +41,7 @@ final class FieldPictures {
      * Maps of one site, whose ground is drawn on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
      * @param inputs the inputs of the coverage
-     * @param grid of the maps
+     * @param grid grid of the maps
      */
     FieldPictures(CoverageSite site, CoverageInputs inputs, FieldGrid grid) {
         this.ground = MapSheet.ground(site.stage().world(), grid);
@@ -148,7 +148,7 @@ final class FieldPictures {
                 : fill;
     }
 
-    /** The colour of a line for a height, given by its number. */
+    /** The colour of the line for a height, given by its index. */
     static Color ofHeight(int number, int heights) {
         return ColourMix.of(NEAR_GROUND, HIGH_UP, heights == 1 ? 0.0 : (double) number / (heights - 1));
     }

@@ -8,8 +8,8 @@ import org.dronewatch.report.sheet.ColourMix;
 import org.dronewatch.report.sheet.MapSheet;
 
 /**
- * How heights look on a map: from light to dark, so that they keep their order in black and white, and lined where
- * there is none.
+ * The appearance of heights on a map: colours from light to dark, which keep their order in black and white, and
+ * hatching where there is no such height.
  */
 final class HeightFills {
     private static final Color LOWEST = new Color(0xfff3c4);

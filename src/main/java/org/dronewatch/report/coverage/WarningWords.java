@@ -104,7 +104,7 @@ public final class WarningWords {
         return number(time) + " s";
     }
 
-    /** How many bearings are without a warning is stated beside it. */
+    /** The shortest warning for the table, where the next column states how many bearings have no warning. */
     private static String inTable(List<Warning> its) {
         LeastWarning least = least(its);
         return least.isNone()

@@ -44,7 +44,7 @@ final class Moves {
 
     /**
      * Removes a directory if it is empty, and the directories above it that become empty as a result, up to but not
-     * including one.
+     * including a given one.
      */
     void removeIfEmpty(Path directory, Path last) throws IOException {
         Path here = directory;

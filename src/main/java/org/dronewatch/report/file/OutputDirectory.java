@@ -69,7 +69,10 @@ public final class OutputDirectory implements AutoCloseable {
         }
     }
 
-    /** Beside the target; in it where that is another disk, from which files cannot be moved, or may not be written. */
+    /**
+     * Where files are written first: beside the target; inside it if the place beside it is on another disk, from which
+     * files cannot be moved into place, or must not be written to.
+     */
     private Path stagingPlace() throws IOException {
         String name = ".partial-" + target.getFileName();
         Path parent = Objects.requireNonNull(target.getParent());

@@ -11,7 +11,7 @@ import java.util.concurrent.CancellationException;
 import org.dronewatch.parallel.Interrupts;
 import org.dronewatch.setting.InputException;
 
-/** A write that fails: the disk is full, read-only, or gone. */
+/** Describes a write that failed: the disk is full, read-only, or gone. */
 final class Refusal {
     private Refusal() {}
 

@@ -36,7 +36,7 @@ final class StagingLock implements AutoCloseable {
     /**
      * Makes the directory, or takes over one that was left behind, empty but for the lock.
      *
-     * @param directory absolute, always by the same name
+     * @param directory absolute path of the directory, always under the same name
      * @return empty when another run has it
      */
     static Optional<StagingLock> acquire(Path directory) throws IOException {
@@ -69,7 +69,7 @@ final class StagingLock implements AutoCloseable {
             try {
                 file = new RandomAccessFile(name.toFile(), "rw");
             } catch (IOException e) {
-                // A run that ends may just have taken the directory away.
+                // A run that is ending may just have removed the directory.
                 refused = e;
                 continue;
             }
@@ -83,7 +83,7 @@ final class StagingLock implements AutoCloseable {
                     held = true;
                     return Optional.of(new StagingLock(directory, file));
                 }
-                // What is locked may have been removed in between by the run that had it.
+                // The locked file may meanwhile have been removed by the run that had locked it.
                 held = lock != null && Files.exists(name);
                 if (lock == null || held) {
                     return held ? Optional.of(new StagingLock(directory, file)) : Optional.empty();
@@ -117,17 +117,18 @@ final class StagingLock implements AutoCloseable {
         boolean removed = false;
         try {
             clear();
-            // Before the lock is released, so that no other run holds it yet; not every system removes what is open.
+            // The lock file is removed before the lock is released, so that no other run holds it yet; not every system
+            // removes open files.
             removed = remove(name);
         } catch (IOException e) {
-            // The results are where they belong; what is left here the next run removes.
+            // The results are where they belong; the next run removes what is left here.
             removed = false;
         } finally {
             unlock();
             if (!removed) {
                 remove(name);
             }
-            // If it is not empty, the next run has it already.
+            // If the directory is not empty, the next run already uses it.
             remove(directory);
             HELD.remove(directory);
         }

@@ -16,7 +16,7 @@ import org.dronewatch.setting.Quantity;
 import org.dronewatch.setting.SettingText;
 import org.dronewatch.setting.SettingsForm;
 
-/** Settings in readable form: names, values, units; angles in degrees, those of a compass from 0 to 360. */
+/** Settings in readable form: names, values and units; angles are in degrees, compass bearings from 0 to 360. */
 final class Described {
     private static final String OURS = "org.dronewatch.";
     private static final double TURN = 2.0 * Math.PI;
@@ -44,7 +44,7 @@ final class Described {
         return String.join(", ", parts);
     }
 
-    /** Where a bearing leads to: 375 degrees is 15 degrees. */
+    /** A bearing within one turn of the compass: 375 degrees becomes 15 degrees. */
     private static Object onCompass(RecordComponent part, Object value) {
         return COMPASS.contains(part.getName())
                         && SettingText.quantity(part) == Quantity.ANGLE

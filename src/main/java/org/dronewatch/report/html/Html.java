@@ -66,7 +66,7 @@ public final class Html {
         return isName(text) || MEASURED.matcher(text).matches() ? " class=\"n\"" : longWord ? " class=\"long\"" : "";
     }
 
-    /** Whether a text is to stay in one line: its hyphens would break it. */
+    /** Whether a text is to stay on one line, which could otherwise be broken at a hyphen. */
     private static boolean isName(String text) {
         return text.contains("-") && !text.contains(" ") && text.length() <= LONGEST_NAME;
     }

@@ -14,7 +14,10 @@ import org.dronewatch.sensor.optics.DronePicture;
 import org.dronewatch.sensor.optics.DronePixels;
 import org.dronewatch.sensor.optics.PictureSettings;
 
-/** One camera during a run: which frames are its looks, and what it saw in them, by the code that its sensor runs. */
+/**
+ * One camera during a run: which frames are its looks, and what it saw in them, computed by the same code as in its
+ * sensor.
+ */
 final class LabelledCamera {
     private final String id;
     private final SensorSettings<?> sensor;
@@ -51,7 +54,7 @@ final class LabelledCamera {
 
     /** Index of the look at the time of a frame; negative if there is none. Queried once for each frame. */
     long look(Frame frame) {
-        // This is computed as in a run, with the same numbers.
+        // The index is computed as in a run, with the same numbers.
         if (Double.compare(nextLook / sensor.rate(), frame.time()) != 0) {
             return -1;
         }

@@ -19,8 +19,8 @@ record Mask(int left, int top, int width, int height, List<Integer> counts) {
     /**
      * The mask of a drone that has at least one hit.
      *
-     * @param columns of the image
-     * @param rows of the image
+     * @param columns columns of the image
+     * @param rows rows of the image
      */
     static Mask of(DronePixels drone, int columns, int rows) {
         List<Integer> counts = new ArrayList<>();
@@ -47,7 +47,7 @@ record Mask(int left, int top, int width, int height, List<Integer> counts) {
                 }
             }
             int below = column * rows + drone.top() + drone.rows();
-            // In a rectangle as high as the image, a run may go on at the top of the next column.
+            // In a rectangle as high as the image, a run may continue at the top of the next column.
             if (within && drone.rows() < rows) {
                 counts.add(below - runStart);
                 runStart = below;

@@ -15,7 +15,7 @@ import org.dronewatch.geometry.Position;
 final class BuildingFeatures {
     private static final Color KNOWN = new Color(0x7f7768);
 
-    /** The colour of buildings with assumed heights in pictures, darker. */
+    /** A darker version of the colour that buildings with assumed heights have in pictures. */
     private static final Color ASSUMED = new Color(0xb5783a);
 
     private final Geodesy geodesy;

@@ -14,13 +14,13 @@ final class CellRings {
 
     private static final int[] DY = {0, -1, 0, 1};
 
-    /** On a map of longitude and latitude, a straight side is bent: after this number of cells it has a corner. */
+    /** On a map of longitude and latitude, a straight side is bent, so it has a corner after this number of cells. */
     private static final int LONGEST_SIDE = 64;
 
     private final Cells cells;
     private final int columns;
 
-    /** For each corner and direction, whether a ring has left it that way. */
+    /** For each corner and direction, whether a ring has left the corner in that direction. */
     private final boolean[] used;
 
     /** The cells that the rings surround. */
@@ -96,8 +96,8 @@ final class CellRings {
     }
 
     /**
-     * The next direction: right is tried before straight on and left, so that a ring goes over to a cell that touches
-     * at the corner only.
+     * The next direction: right is tried before straight on and left, so that a ring continues along a cell that
+     * touches only at the corner.
      */
     private int next(int x, int y, int direction) {
         for (int turn = 3; turn <= 5; turn++) {

@@ -41,7 +41,7 @@ final class Elements {
         xml.writeEndElement();
     }
 
-    /** An element of text. */
+    /** Writes an element that contains text. */
     void text(String name, String text) throws XMLStreamException {
         newLine();
         xml.writeStartElement(name);

@@ -49,7 +49,7 @@ public final class GeoTiff {
     private static final int CLASSES = 256;
     private static final int NO_COUNT = 65_535;
 
-    /** Tags that are not in the sets of the JDK: GDAL's text of the value that represents none. */
+    /** A tag that is not in the JDK's sets: GDAL's text for the value that represents the absence of one. */
     private static final int NODATA = 42113;
 
     private static final int PROJECTED = 1;
@@ -159,7 +159,7 @@ public final class GeoTiff {
         }
     }
 
-    /** Others on the class path may have other metadata. */
+    /** The JDK's own writer; others on the class path may use other metadata. */
     private static ImageWriter jdkWriter() {
         for (Iterator<ImageWriter> all = ImageIO.getImageWritersByFormatName("tiff"); all.hasNext(); ) {
             ImageWriter writer = all.next();
@@ -178,7 +178,8 @@ public final class GeoTiff {
         tags.addTIFFField(
                 new TIFFField(geo.getTag(GeoTIFFTagSet.TAG_MODEL_TRANSFORMATION), TIFFTag.TIFF_DOUBLE, 16, transform));
         char[] keys = {
-            // Version 1.1 of the keys, four of them: each with its number, where its value is, how many, and the value.
+            // Version 1.1 of the keys, four of them: each with its number, the location of its value, the number of
+            // values, and the value.
             1, 1, 1, 4,
             1024, 0, 1, PROJECTED,
             1025, 0, 1, PIXEL_IS_AREA,

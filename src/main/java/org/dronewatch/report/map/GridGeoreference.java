@@ -36,8 +36,8 @@ record GridGeoreference(CoordinateReferenceSystem crs, double[] matrix) {
     /**
      * The georeferencing of a grid.
      *
-     * @param east of its centre, m
-     * @param north of its centre, m
+     * @param east east coordinate of the grid's centre, m
+     * @param north north coordinate of the grid's centre, m
      * @param cell length of a cell's side, m
      * @param columns cells along a side
      * @throws org.dronewatch.setting.InputException where the system has no coordinates

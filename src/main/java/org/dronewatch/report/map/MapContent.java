@@ -70,7 +70,7 @@ final class MapContent implements DrawnFeatures {
                 + " m if it detects none." + buildings();
     }
 
-    /** What the heights of buildings count from, and the attribution that their map asks for. */
+    /** The level from which the heights of buildings are measured, and the attribution that their map requires. */
     private String buildings() {
         return stage.buildings()
                 .map(town -> " Heights of buildings are measured from the lowest ground below them; 'assumed' marks"
@@ -116,7 +116,7 @@ final class MapContent implements DrawnFeatures {
         return features;
     }
 
-    /** The folders of all roles that most scenes have, and of the others where they occur. */
+    /** The folders of all roles that most scenes have, and those of the other roles that occur. */
     @Override
     public List<String> folders() {
         List<StyledFeature> features = features();

@@ -8,10 +8,13 @@ import org.dronewatch.sensor.Outline;
 
 /** The footprint of a sensor's field of view, ignoring obstructions. */
 final class MapFootprint {
-    /** A camera has no stated range: one that detects nothing is drawn this far, m. */
+    /**
+     * The distance to which the field of view of a camera that detects nothing is drawn, m: a camera has no stated
+     * range.
+     */
     static final double UNKNOWN_REACH = 100.0;
 
-    /** A radar without a practical limit of range is drawn this far, m. */
+    /** The distance to which the field of view of a radar without a practical limit of range is drawn, m. */
     static final double MOST = 200_000.0;
 
     /** Number of line segments of a full circle. */
@@ -24,7 +27,8 @@ final class MapFootprint {
     private MapFootprint() {}
 
     /**
-     * Its edge, counterclockwise seen from above, and then its holes, clockwise; each ring ends where it begins.
+     * The edge of the footprint, counterclockwise seen from above, and then its holes, clockwise; each ring ends where
+     * it begins.
      *
      * @param at where the sensor is, m
      * @param outline its field of view

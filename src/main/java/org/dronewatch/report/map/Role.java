@@ -49,12 +49,12 @@ enum Role {
         return size;
     }
 
-    /** Whether it has no folder unless a feature is in it: many scenes have none. */
+    /** Whether the role has a folder only if a feature is in it: many scenes have no such feature. */
     boolean isRare() {
         return this == BUILDING || this == BIRD || this == GAP;
     }
 
-    /** Whether its name is written on the map: those of a hundred detections would cover one another. */
+    /** Whether its name is written on the map: the names of a hundred detections would cover one another. */
     boolean isNamed() {
         return this != GAINED && this != LOST && this != BUILDING;
     }
@@ -76,7 +76,7 @@ enum Role {
             return scale;
         }
 
-        /** The word of simplestyle for it. */
+        /** The word for this size in simplestyle. */
         String word() {
             return name().toLowerCase(Locale.ROOT);
         }

@@ -9,7 +9,7 @@ import org.dronewatch.placement.site.LayoutFields;
 import org.dronewatch.placement.site.SitePlacement;
 import org.dronewatch.setting.Counted;
 
-/** What the layout that covers the most air is worth, in sentences. */
+/** States in sentences what the layout that covers the most air is worth. */
 final class CoverageSentences {
     private final CoveragePlaceResults results;
     private final SitePlacement best;

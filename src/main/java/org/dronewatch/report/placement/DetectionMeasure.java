@@ -5,7 +5,7 @@ import org.dronewatch.placement.route.RoutePlacement;
 import org.dronewatch.placement.site.SectorGain;
 import org.dronewatch.report.CompassPoint;
 
-/** An exposure on the weakest route as the probability of a detection, in words. */
+/** Describes an exposure on the weakest route in words, as the probability of a detection. */
 record DetectionMeasure() implements PlaceMeasure {
     @Override
     public String purpose() {

@@ -12,18 +12,18 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.setting.Quantity;
 
 /**
- * What the search promises of a layout against the weakest route, compared with what is shown by flights past the
- * layout, and by flights past what remains of it after a loss.
+ * What the search promises about a layout against the weakest route, compared with what flights show: flights past the
+ * layout, and past what remains of it after a loss.
  *
  * @param best the layout
  * @param layout the routes past it, as flown; empty if they were not
- * @param lost by the name of a sensor, the routes past the others, as flown
+ * @param lost the routes past the layout without a sensor, as flown, by the name of that sensor
  */
 record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<String, FlownLayout> lost) {
     /**
      * A loss, and the route on which the drone is then least likely to be detected in time.
      *
-     * @param sensor that is lost
+     * @param sensor sensor that is lost
      * @param flown the routes past the others
      * @param route the weakest of them, as flown
      */
@@ -48,7 +48,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
         return FrontWords.percent(detection());
     }
 
-    /** What flights show where that is less than the search promises, in a sentence; empty if it is not. */
+    /** What flights show, in a sentence, if it is less than the search promises; otherwise empty. */
     Optional<String> shortfall() {
         return broken().map(route -> "As flown, the layout detects the drone in time with a probability of only "
                 + FrontWords.percent(layout.orElseThrow().inTime(route)) + " on the weakest route past it, "
@@ -82,7 +82,7 @@ record FlownPromise(RoutePlacement best, Optional<FlownLayout> layout, Map<Strin
                 + (worst.size() == all ? "" : " (equally severe losses, the worst of all)");
     }
 
-    /** What flights show of the losses that were flown, the worst of them, in sentences; empty if none was. */
+    /** What flights show about the worst of the losses that were flown, in sentences; empty if none was flown. */
     private Optional<String> flownLoss() {
         List<Loss> all = losses();
         return all.stream().min(Comparator.comparingDouble(Loss::inTime)).map(least -> {

@@ -36,7 +36,7 @@ final class FlownTable {
         this.best = best;
     }
 
-    /** The routes from all directions from which any leads. */
+    /** The routes from all directions from which there are any. */
     static List<Pair> pairs(Optional<FlownLayout> layout, Optional<FlownLayout> present) {
         List<Pair> pairs = new ArrayList<>();
         double response = layout.or(() -> present)

@@ -11,7 +11,7 @@ import org.dronewatch.report.file.Numbers;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.PlainText;
 
-/** What more money buys, in a line for each step. */
+/** States what more money buys, with a line for each step. */
 final class FrontWords {
     private static final String ABOVE = "> ";
 

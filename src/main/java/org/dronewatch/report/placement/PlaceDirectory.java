@@ -95,7 +95,10 @@ public final class PlaceDirectory implements AutoCloseable {
         return ShellWord.of(target.resolve(SCENE));
     }
 
-    /** The numbers, their provenance, and the layout as a scene; gives its settings, if they are consistent. */
+    /**
+     * Writes the numbers, their provenance, and the layout as a scene; returns the settings of that scene if they are
+     * consistent.
+     */
     private Optional<SceneSettings> writeCommon(
             PlaceResults results, Provenance provenance, int threads, Consumer<String> notes) throws IOException {
         PlacePlan plan = results.best().plan();

@@ -53,7 +53,7 @@ final class PlaceReport {
     /** The pictures by the names of their files: the plot of value over cost, and those of the objective. */
     Map<String, Figure> pictures() throws IOException {
         Map<String, Figure> pictures = new LinkedHashMap<>();
-        // A plot of nothing but the origin says nothing.
+        // A plot of nothing but the origin would show nothing.
         if (best.result().cost() > 0.0 || best.value() > 0.0) {
             pictures.put(
                     FRONT,
@@ -69,9 +69,9 @@ final class PlaceReport {
     /**
      * Writes the page.
      *
-     * @param pictures by the names of their files
+     * @param pictures pictures by the names of their files
      * @param layout the scene with only the layout's sensors
-     * @param again which commands give the figures again, in sentences
+     * @param again which commands reproduce the figures, in sentences
      * @param provenance origin of the results, as names and values
      */
     void write(

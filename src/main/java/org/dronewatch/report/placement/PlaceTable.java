@@ -85,7 +85,7 @@ final class PlaceTable {
                 : Optional.of(unaffordable().orElseGet(this::useless));
     }
 
-    /** That no layout gains anything, in a sentence which names the fold, a likely cause. */
+    /** That no layout gains anything, in a sentence that names the fold as a likely cause. */
     private String useless() {
         if (!layout.complete()) {
             return "So far, no layout has been found that improves on buying nothing: nothing is bought.";
@@ -187,7 +187,10 @@ final class PlaceTable {
         return present("The scene's own ");
     }
 
-    /** What the scene's own sensors achieve, in a sentence that begins with the given words for whose they are. */
+    /**
+     * What the scene's own sensors achieve, in a sentence that begins with given words that state whose sensors they
+     * are.
+     */
     Optional<String> present(String whose) {
         return layout.present()
                 .map(own -> whose + counted(own) + " " + measure.claim(own.sensors() == 1, own.value())
@@ -269,7 +272,7 @@ final class PlaceTable {
         return azimuth.isPresent() ? text("%.0f°", azimuth.getAsDouble()) : NONE;
     }
 
-    /** The direction in which a sensor is aimed, from north towards east, deg; empty if it has none that matters. */
+    /** The direction in which a sensor is aimed, clockwise from north, deg; empty if it has none that matters. */
     static OptionalDouble azimuth(SiteCandidate sensor) {
         return sensor.sensor()
                 .as(Aimed.class)

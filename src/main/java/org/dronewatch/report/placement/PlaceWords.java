@@ -22,7 +22,10 @@ final class PlaceWords {
         this.measure = results.measure();
     }
 
-    /** What the layout achieves, how much better any could be, and what there is today, for less, and after a loss. */
+    /**
+     * What the layout achieves, how much better any other could be, and what is achieved by today's sensors, by a
+     * cheaper layout, and by this one after a loss.
+     */
     String verdict() {
         if (best.chosen().isEmpty()) {
             return new PlaceTable(best, measure).nothing().orElse("No sensor that the budget allows covers anything.")

@@ -56,7 +56,7 @@ final class RouteChapter {
         return new PlaceChapter(verdict, pictures, sections, scope());
     }
 
-    /** The route that remains where nothing gains anything, and what could be closed. */
+    /** The route that remains if nothing gains anything, and the gaps that could be closed. */
     private static String remaining(RouteSentences sentences) {
         return Stream.of(Optional.of(sentences.weakest()), sentences.points(), sentences.remaining())
                 .flatMap(Optional::stream)

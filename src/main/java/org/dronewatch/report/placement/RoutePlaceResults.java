@@ -144,7 +144,7 @@ public record RoutePlaceResults(
         });
     }
 
-    /** What flights past the layout show stands beside its value. */
+    /** Adds what flights past the layout show, next to the layout's value. */
     private void addFlown(ObjectNode root) {
         layout.flatMap(FlownLayout::weakest)
                 .ifPresent(route ->

@@ -19,7 +19,10 @@ import org.dronewatch.route.search.WeakestRoute;
 import org.dronewatch.setting.Counted;
 import org.dronewatch.setting.PlainText;
 
-/** The weakest route past the layout that was found, and what is proven of others, in sentences. */
+/**
+ * States in sentences the weakest route that was found past the layout, and what is proven about other routes and
+ * layouts.
+ */
 final class RouteSentences {
     private final RoutePlacement best;
     private final boolean isShort;
@@ -168,7 +171,7 @@ final class RouteSentences {
                         + search + ".";
     }
 
-    /** What is certain of the routes that the search did not find. */
+    /** What is certain about the routes that the search did not find. */
     String lower() {
         return best.lower() > 0.0
                 ? "The exposure on every route past the layout is "

@@ -15,7 +15,7 @@ import org.dronewatch.report.file.ShellWord;
 
 /** The options with which {@code coverage} assesses the scene of a layout in the same cells and on the same terms. */
 final class SameCoverage {
-    /** A coordinate of less is 0, m. */
+    /** A coordinate of smaller magnitude counts as 0, m. */
     private static final double NOTHING = 1e-9;
 
     private SameCoverage() {}

@@ -5,7 +5,7 @@ import org.dronewatch.placement.site.SectorGain;
 import org.dronewatch.report.CompassPoint;
 
 /**
- * A warning time, in words.
+ * Describes a warning time in words.
  *
  * @param isWorst whether the shortest warning counts, and not the mean
  */

@@ -7,7 +7,7 @@ import org.dronewatch.report.CompassPoint;
 import org.dronewatch.report.file.Numbers;
 
 /**
- * The fraction of the airspace that is covered, in words.
+ * Describes in words the fraction of the airspace that is covered.
  *
  * @param fold number of sensors that must cover a cell
  * @param isWeighted whether some cells count more than others

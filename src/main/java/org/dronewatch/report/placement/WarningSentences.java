@@ -5,7 +5,7 @@ import org.dronewatch.analysis.field.InboundWarnings;
 import org.dronewatch.placement.site.WarningPlacement;
 import org.dronewatch.setting.Counted;
 
-/** What the layout with the longest warning is worth, in sentences. */
+/** States in sentences what the layout with the longest warning is worth. */
 final class WarningSentences {
     private final WarningPlacement best;
     private final PlaceMeasure measure;

@@ -10,7 +10,7 @@ import org.dronewatch.report.html.Html;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/** The coverage of the layout and of the scene's own sensors, zone by zone, where some zones count more than others. */
+/** The coverage of the layout and of the scene's own sensors, zone by zone, if some zones count more than others. */
 final class ZoneTable {
     private static final String ROW = "%24s  %8s  %8s  %8s  %8s";
     private static final String OTHERS = "all other cells";

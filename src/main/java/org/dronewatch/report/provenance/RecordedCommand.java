@@ -22,7 +22,7 @@ public record RecordedCommand(List<String> words, JsonNode content) {
     private static final int LARGEST = 16 << 20;
     private static final int MOST_WORDS = 10_000;
 
-    /** What may differ between two results, and explain that they are not the same. */
+    /** The keys that may differ between two runs and explain why their results are not the same. */
     private static final List<String> GROUNDS = List.of(
             "version", "java_version", "java_vendor", "architecture", "scene", "models", "campaign", "variants");
 

@@ -9,10 +9,10 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 
 /**
- * Where no routes are searched for, though a drone can fly there: close to the ground, below its ceiling, or before it
- * reaches the area.
+ * Notes on where no routes are searched for although a drone can fly there: close to the ground, below its ceiling, or
+ * before it reaches the area.
  *
- * @param inputs of the search
+ * @param inputs inputs of the search
  */
 record HeightNotes(RouteInputs inputs) {
     /** Above this height, little on the ground hides a drone that is still outside the area, m. */

@@ -4,9 +4,10 @@ import java.util.Optional;
 import org.dronewatch.route.SectorRoute;
 
 /**
- * Why the search misjudges the probability that a drone is detected on a route. Between the probability of the search
- * and that of the flight lies that of looks taken at any moment, as the search assumes: the cells account for its
- * difference from the search, the timing of the looks for its difference from the flight.
+ * Why the search misjudges the probability that a drone is detected on a route. A third probability lies between that
+ * of the search and that of the flight: the one that would result if looks were taken at any moment, as the search
+ * assumes. The cells account for its difference from the search, the timing of the looks for its difference from the
+ * flight.
  */
 enum Misjudgement {
     /** The search assesses each cell only at its centre. */
@@ -23,7 +24,7 @@ enum Misjudgement {
 
     /**
      * Why the search misjudges the detections that count: those that are early enough for a response, if one is
-     * required, since where a detection would come too late, the search only looks for the fastest route.
+     * required. Where a detection would come too late, the search only looks for the fastest route.
      *
      * @param response time that the response takes, s; 0 if none is required
      * @return empty if the probabilities differ by 20 percentage points at most, or if the looks along the route have
@@ -57,9 +58,9 @@ enum Misjudgement {
     /**
      * The cause of the difference between two probabilities of a detection.
      *
-     * @param searched according to the search, 0 to 1
-     * @param byFastLooks if every sensor looked all the time where the drone flies, 0 to 1
-     * @param flown as flown, 0 to 1
+     * @param searched the probability according to the search, 0 to 1
+     * @param byFastLooks the probability if every sensor looked all the time where the drone flies, 0 to 1
+     * @param flown the probability as flown, 0 to 1
      * @return empty if they differ by 20 percentage points at most
      */
     static Optional<Misjudgement> of(double searched, double byFastLooks, double flown) {

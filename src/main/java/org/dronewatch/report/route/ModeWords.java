@@ -43,12 +43,12 @@ final class ModeWords {
                         : "");
     }
 
-    /** Whether the drone slows down on a route. */
+    /** Whether the drone slows down on any of the routes. */
     static boolean areSlow(RouteSurvey survey) {
         return survey.routes().stream().anyMatch(route -> slowed(route, survey).isPresent());
     }
 
-    /** Whether the drone stops its motors on a route. */
+    /** Whether the drone stops its motors on any of the routes. */
     static boolean areGlides(RouteSurvey survey) {
         return survey.routes().stream().anyMatch(route -> gliding(route, survey).isPresent());
     }

@@ -17,7 +17,7 @@ import org.dronewatch.route.proof.RouteStarts;
 import org.dronewatch.sensor.Mounted;
 import org.dronewatch.setting.PlainText;
 
-/** What has to be known of the figures of routes: over which flights they are means, and where they mislead. */
+/** Notes on the figures of routes: over which flights they are means, and where they mislead. */
 final class RouteNotes {
     /** The fraction of its endurance after which a drone has hardly any left. */
     private static final double EXHAUSTED = 0.99;
@@ -79,7 +79,9 @@ final class RouteNotes {
                         + PlainText.value(sensor) + (isSearching(sensor) ? "' in the same direction." : "'."));
     }
 
-    /** From where there is no route; empty if there is one from everywhere, or if not all sectors were searched. */
+    /**
+     * The sectors from which there is no route; empty if there is one from each, or if not all sectors were searched.
+     */
     private Optional<String> missing(RouteSurvey survey) {
         List<String> sectors = IntStream.range(0, SiteRoutes.SECTORS)
                 .filter(sector -> RouteWords.route(sector, survey).isEmpty())
@@ -169,7 +171,7 @@ final class RouteNotes {
                 : Optional.of("With cues, the drone is detected " + String.join(", ", routes) + ".");
     }
 
-    /** Flights with cues, compared with what is listed where that counts positioners as cued. */
+    /** Flights with cues, compared with the listed probability if that counts positioners as cued. */
     private ProvenChance asListed(ProvenChance cued, int sector, RouteSurvey survey) {
         return inputs.isCued()
                 ? RouteWords.route(sector, survey)
@@ -178,7 +180,7 @@ final class RouteNotes {
                 : cued;
     }
 
-    /** States that a proof says nothing of sensors that count as cued; empty if none does, or there is no proof. */
+    /** States that a proof says nothing about sensors that count as cued; empty if none does, or there is no proof. */
     private Optional<String> searching(RouteResults results) {
         return inputs.isCued() && !results.proofs().isEmpty()
                 ? Optional.of(

@@ -68,14 +68,14 @@ public final class RoutePictures {
         return piece.stream().map(RoutePoint::position).toList();
     }
 
-    /** Dashes where it flies slowly. */
+    /** Draws dashes where the drone flies slowly. */
     private static void slow(MapSheet sheet, SectorRoute route, RouteSurvey survey) {
         RoutePieces.of(route).stream()
                 .filter(piece -> ModeWords.isIn(survey, RouteMode::isSlow, piece.get(0)))
                 .forEach(piece -> sheet.dashes(positions(piece)));
     }
 
-    /** Where it stops its motors; empty if it does not. */
+    /** Where the drone stops its motors; empty if it does not. */
     private static Optional<Position> motorsOff(SectorRoute route, RouteSurvey survey) {
         return route.searched().points().stream()
                 .filter(point -> ModeWords.isIn(survey, RouteMode::isGlide, point))

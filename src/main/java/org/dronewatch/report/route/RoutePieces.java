@@ -9,7 +9,7 @@ import org.dronewatch.route.RouteSurvey;
 import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.search.RouteMode;
 
-/** Routes in pieces on each of which the exposure is of one class, and the mode of flight is the same. */
+/** Divides routes into pieces, on each of which the exposure is of one class and the mode of flight is the same. */
 final class RoutePieces {
     private RoutePieces() {}
 

@@ -46,9 +46,9 @@ public final class RouteScenes {
     }
 
     /**
-     * Writes them, or none of them.
+     * Writes the scenes, either all or none of them.
      *
-     * @param directories where they can be written if not into the target
+     * @param directories where the scenes can be written if not into the target
      * @return why none are written, or which of several flights each has; empty if there is nothing to say
      */
     Optional<String> write(RouteSurvey survey, Path target, SceneDirectories directories, OutputDirectory directory)

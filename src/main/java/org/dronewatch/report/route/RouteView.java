@@ -23,7 +23,7 @@ final class RouteView {
     /**
      * The picture, on the {@link org.dronewatch.parallel.Workers} of the calling thread.
      *
-     * @param models of the scene
+     * @param models models of the scene
      * @return empty if there is no route
      */
     static Optional<BufferedImage> of(RouteSurvey survey, RouteInputs inputs, RouteScenes scenes, ModelCache models) {

@@ -69,7 +69,7 @@ final class RouteWords {
                         .collect(Collectors.joining(" and "));
     }
 
-    /** The probabilities that decide which route is the weakest, and whether it is met in time. */
+    /** The probabilities that decide which route is the weakest, and whether the response is in time. */
     private String inTime(SectorRoute route, RouteResults results) {
         if (inputs.response() == 0.0 || route.mostExposedTo().isEmpty()) {
             return "";

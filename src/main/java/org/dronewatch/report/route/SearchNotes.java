@@ -13,8 +13,8 @@ import org.dronewatch.route.SectorRoute;
 import org.dronewatch.route.proof.UnseenPlaces;
 
 /**
- * Where the search misjudges routes or may have missed others, why, and what to try. What concerns the detections that
- * count on a route is said only once.
+ * Notes on where the search misjudges routes or may have missed others, why, and what to try. A statement about the
+ * detections that count on a route is made only once.
  */
 final class SearchNotes {
     /** An exposure that hardly matters, as in tables. */

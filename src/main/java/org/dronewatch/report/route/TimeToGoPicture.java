@@ -42,7 +42,7 @@ final class TimeToGoPicture {
     private final RouteInputs inputs;
     private final RouteGrid grid;
 
-    /** By row from the south and column, s; NaN where no route leads to the end. */
+    /** The times at the nodes, by row from the south, then by column, s; NaN where no route leads to the end. */
     private final double[] times;
 
     private final double step;

@@ -34,7 +34,7 @@ public final class CoveragePicture {
     private static final int LINE = 26;
     private static final int SMALL_LINE = 15;
     private static final int DECIMALS = 3;
-    /** Stripes mark what is not known: they differ from every colour, also in print. */
+    /** Stripes mark what is not known: they differ from every colour, in print as well. */
     private static final int STRIPE = 5;
     /** Width of the line around what a kind reaches, pixels. */
     private static final int EDGE = 2;
@@ -117,8 +117,8 @@ public final class CoveragePicture {
     /**
      * The colour of a kind over the cells that its sensors reach, stronger at their edge.
      *
-     * @param reached by cell
-     * @param columns of cells
+     * @param reached whether each cell is reached
+     * @param columns number of columns of cells
      * @param cells column or row of the cell in which a pixel's column or row lies
      */
     private record Layer(boolean[] reached, int columns, int[] cells, int colour) {
@@ -216,7 +216,7 @@ public final class CoveragePicture {
         }
     }
 
-    /** A kind; with the name of its sensor, if there is only one, whose area is that of the kind. */
+    /** The name of a kind, with that of its sensor if there is only one, whose area is then that of the kind. */
     private String named(String kind) {
         List<String> ids = idsOf(kind);
         return ids.size() > 1 || ids.get(0).equals(kind) ? kind : kind + ", " + shortened(ids.get(0));
@@ -233,7 +233,7 @@ public final class CoveragePicture {
         return id.length() <= 24 ? id : id.substring(0, 23) + "\u2026";
     }
 
-    /** To a thousandth, no zeros at the end. */
+    /** A number to a thousandth, without zeros at the end. */
     private static String plain(double number) {
         return Numbers.rounded(number)
                 .setScale(DECIMALS, RoundingMode.HALF_EVEN)

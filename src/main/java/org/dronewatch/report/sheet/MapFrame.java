@@ -21,10 +21,11 @@ final class MapFrame {
     private MapFrame() {}
 
     /**
-     * Draws them: a bar of 1, 2 or 5 times a power of ten, about a fifth of the map; north is up.
+     * Draws the scale bar, of 1, 2 or 5 times a power of ten and about a fifth of the map, and the north arrow; north
+     * is up.
      *
      * @param size of the map, pixels
-     * @param side length of its side, m
+     * @param side length of the map's side, m
      */
     static void draw(Graphics2D g, int size, double side) {
         double length = length(side);
@@ -63,9 +64,9 @@ final class MapFrame {
     /**
      * Where a label has to be to cover neither of them: as near as possible to where it should be.
      *
-     * @param label on the map, pixels
+     * @param label rectangle of the label on the map, pixels
      * @param size of the map, pixels
-     * @param side of the mapped square, m
+     * @param side side of the mapped square, m
      */
     static Rectangle beside(Rectangle label, int size, double side) {
         Rectangle moved = label;

@@ -36,7 +36,7 @@ public final class ProtectedOutlines {
      * A point at a distance from another, in plan view, m.
      *
      * @param bearing clockwise from north, rad
-     * @param distance m
+     * @param distance distance from the other point, m
      */
     public static Position around(Position middle, double bearing, double distance) {
         return middle.plus(new Position(distance * Math.sin(bearing), distance * Math.cos(bearing), 0.0));

@@ -20,7 +20,7 @@ public final class ReliefShade {
     private static final int[] WATER = {158, 170, 180};
     private static final int[] ROAD = {255, 255, 255};
 
-    /** Roads are light on slopes, too. */
+    /** The least light of roads: they are light on slopes, too. */
     private static final double LEAST_LIGHT_OF_ROADS = 0.95;
 
     private final World world;
@@ -38,10 +38,10 @@ public final class ReliefShade {
      * The ground of a square area, on the {@link Workers} of the calling thread: red, green and blue of each pixel, row
      * by row from the north-west.
      *
-     * @param east of the centre, m
-     * @param north of the centre, m
+     * @param east east coordinate of the centre, m
+     * @param north north coordinate of the centre, m
      * @param side length of a side, m
-     * @param pixels along a side
+     * @param pixels number of pixels along a side
      */
     static int[] of(World world, double east, double north, double side, int pixels) {
         int[] colours = new int[pixels * pixels];
@@ -96,7 +96,7 @@ public final class ReliefShade {
         return (int) (colour[0] * light) << 16 | (int) (colour[1] * light) << 8 | (int) (colour[2] * light);
     }
 
-    /** Unit normal, to the upper side. */
+    /** Sets the unit normal of a triangle, on its upper side. */
     private void setNormal(int triangle) {
         double[] n = normal;
         mesh.normal(triangle, n);

@@ -6,7 +6,7 @@ import java.awt.Color;
 public final class Tint {
     private static final int LEVELS = 256;
 
-    /** For each level of red, green and blue below, what is seen there, at its place in a pixel. */
+    /** For each level of red, green or blue below, the level that is seen, shifted to its position in a pixel. */
     private final int[] red = new int[LEVELS];
 
     private final int[] green = new int[LEVELS];

@@ -7,7 +7,7 @@ import org.dronewatch.scenario.SceneSettings;
 
 /** Warns of drones so large that their models were probably made in millimetres, but are read as metres. */
 public record DroneSizeAdvice(SceneSettings settings) {
-    /** No drone has such a span, m. */
+    /** No drone has a span greater than this, m. */
     private static final double LARGEST = 100.0;
 
     /** Reports a warning for each such drone. */

@@ -9,7 +9,7 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.setting.Quantity;
 import org.dronewatch.world.Ground;
 
-/** Where a flight exceeds the limits of its drone most; it is examined at successive times. */
+/** Finds where a flight exceeds the limits of its drone most; the flight is examined at successive times. */
 final class FlightExcesses {
     /** Slower than this, a drone counts as hovering: its course is not defined, m/s. */
     private static final double SLOW = 0.5;
@@ -43,8 +43,8 @@ final class FlightExcesses {
     /**
      * Takes the next moment of the flight into account.
      *
-     * @param time later than the one before, s
-     * @param acceleration m/s2
+     * @param time time of the moment, later than that of the one before, s
+     * @param acceleration acceleration of the drone, m/s2
      */
     void examine(double time, FlightState state, Position acceleration, Ground ground) {
         Position at = state.position();

@@ -20,7 +20,7 @@ final class GreatestExcess {
      * A limit that holds so far.
      *
      * @param verb what the drone does with the quantity, such as {@code climbs at}
-     * @param limit in the quantity's SI unit
+     * @param limit the limit, in the quantity's SI unit
      */
     GreatestExcess(String verb, Quantity quantity, double limit) {
         this.verb = verb;
@@ -33,7 +33,8 @@ final class GreatestExcess {
     void take(double value, double time, Position at) {
         if (value > greatest) {
             greatest = value;
-            place = String.format(Locale.ROOT, " at %.1f s, at (%.1f, %.1f, %.1f) m", time, at.x(), at.y(), at.z());
+            place = String.format(
+                    Locale.ROOT, ", %.1f s after the start, at (%.1f, %.1f, %.1f) m", time, at.x(), at.y(), at.z());
         }
     }
 

@@ -27,7 +27,7 @@ public record PathAdvice(String id, World world, Ground ground, double duration)
      */
     private static final int MOST_PLACES = 1000;
 
-    /** How deep a drone may be: one that stands on the ground touches it, m. */
+    /** The depth below the surface that a drone may have, m: one that stands on the ground touches it. */
     private static final double TOUCH = 0.1;
 
     /** Gives one line with the first point at which the drone is inside something solid, and the greatest depth. */

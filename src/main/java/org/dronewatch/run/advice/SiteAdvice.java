@@ -86,7 +86,7 @@ public record SiteAdvice(SceneSettings settings, World world) {
                         + String.join(", ", world.materialNames())));
     }
 
-    /** Heights of roofs, and buildings on them. */
+    /** Warns if the heights of the terrain may include roofs that the scene's buildings also include. */
     private void onTerrain(Consumer<String> target) {
         List<String> buildings = new ArrayList<>();
         settings.world()

@@ -28,7 +28,7 @@ final class FlightFiles {
      *
      * @param directory directory against which relative paths are resolved
      * @param hashes receives the name and the hash of each file that is read
-     * @param notes receives a line for each
+     * @param notes receives a line for each file that is read
      */
     FlightFiles(Path directory, BiConsumer<String, FileHash> hashes, Consumer<String> notes) {
         this.directory = directory;

@@ -18,7 +18,7 @@ import org.dronewatch.world.World;
  * is not compared with the ground.
  */
 public final class GroundOffsets {
-    /** Further above or below the ground than most foundations, m. */
+    /** An offset from the ground that exceeds the height or depth of most foundations, m. */
     private static final double DOUBTFUL = 3.0;
 
     private final SceneSettings settings;

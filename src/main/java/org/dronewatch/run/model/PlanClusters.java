@@ -47,8 +47,8 @@ final class PlanClusters {
     /**
      * The lowest corner of each cluster of some triangles of a mesh.
      *
-     * @param first of the triangles
-     * @param end the one after the last of them
+     * @param first index of the first of these triangles
+     * @param end index after that of the last of these triangles
      * @return numbers of vertices of the mesh
      */
     static int[] lowestVertices(TriangleMesh mesh, int first, int end) {

@@ -19,7 +19,7 @@ import org.dronewatch.setting.input.FileHash;
  * not used, since its results may differ in the last bit.
  */
 final class CodeStamp {
-    /** Made by the thread that first needs it, not by the one that asks for it in the background. */
+    /** Holds the stamp, which is made by the first thread that needs it, not by the one that calls {@code prepare}. */
     private static final class Made {
         static final String TEXT = FileHash.ofText(System.getProperty("java.vm.name")
                 + System.getProperty("java.vm.version")
@@ -33,7 +33,7 @@ final class CodeStamp {
         return Made.TEXT;
     }
 
-    /** Makes it in the background: listing thousands of classes takes as long as reading a model. */
+    /** Makes the stamp in the background: listing thousands of classes takes as long as reading a model. */
     static void prepare() {
         CompletableFuture.runAsync(CodeStamp::text);
     }

@@ -33,7 +33,7 @@ import org.dronewatch.terrain.io.ElevationFiles;
 public final class PreparedSites {
     private static final double NANO = 1e-9;
 
-    /** The tree over fewer triangles is built faster than it is found. */
+    /** The tree over fewer triangles is built faster than it is found in the store. */
     private static final int SMALL = 20_000;
 
     /** Building the tree over more triangles takes more than a second. */

@@ -37,13 +37,13 @@ public final class SiteStore {
     /** The end of the names of its files. */
     static final String SUFFIX = ".site";
 
-    /** The largest number of bytes of all files; the least recently used ones are deleted. */
+    /** The largest number of bytes of all files together; beyond it, the least recently used files are deleted. */
     static final long MOST_BYTES = 2L << 30;
 
     /** The minimum time that the preparation of a value must have taken for it to be kept, s. */
     static final double WORTH = 0.3;
 
-    /** Shared by all stores of this process: models, fields and others are kept in one directory. */
+    /** The directories reported by any store of this process: models, fields and others are kept in the same one. */
     private static final Set<Path> REPORTED = ConcurrentHashMap.newKeySet();
 
     private static final Pattern NAMES = Pattern.compile("[a-z]+-[0-9a-f]{64}\\.site");

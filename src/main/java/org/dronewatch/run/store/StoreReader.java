@@ -21,14 +21,14 @@ public final class StoreReader {
     private final ReadableByteChannel source;
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(CHUNK).order(ByteOrder.LITTLE_ENDIAN);
     private final CRC32C checksum = new CRC32C();
-    /** Bytes before the checksum that have not been taken from the buffer yet. */
+    /** The number of bytes before the checksum that have not been taken from the buffer yet. */
     private long left;
 
     /**
      * A reader.
      *
-     * @param source of the bytes
-     * @param size their number
+     * @param source source of the bytes
+     * @param size number of bytes
      */
     StoreReader(ReadableByteChannel source, long size) throws IOException {
         this.source = source;
@@ -119,8 +119,8 @@ public final class StoreReader {
         /**
          * Takes the values without moving the buffer's position.
          *
-         * @param start index of the first of them among all values
-         * @param some how many
+         * @param start index of the first of these values among all values
+         * @param some number of values to take
          */
         void take(int start, int some);
     }

@@ -13,7 +13,8 @@ import org.dronewatch.terrain.LoadedTerrain;
 import org.dronewatch.terrain.TerrainGround;
 
 /**
- * The layout of the store's files: this, then what the form adds, then the checksum (8 bytes) of all before it.
+ * The layout of the store's files: the first line below, then what the form adds, then the checksum (8 bytes) of
+ * everything before it.
  *
  * <pre>
  *   int  MAGIC, int VERSION, text key         (see StoreKey)

@@ -12,7 +12,7 @@ public interface Pace {
     /** The largest multiple of real time. */
     double FASTEST = 1e6;
 
-    /** No waiting. */
+    /** A pace without any waiting. */
     Pace AS_FAST_AS_POSSIBLE = time -> {};
 
     /**

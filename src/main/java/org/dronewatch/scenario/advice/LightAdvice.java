@@ -22,7 +22,7 @@ public record LightAdvice(Light light) {
 
     private static final double BRIGHTEST_IN_TWILIGHT = 3.0;
 
-    /** No darker night can be set, lx. */
+    /** The illuminance of the darkest night that can be set, lx. */
     private static final double DARKEST_NIGHT = 1e-5;
 
     /** A full moon at the zenith, lx (Seidelmann, ed., Explanatory Supplement to the Astronomical Almanac, 1992). */

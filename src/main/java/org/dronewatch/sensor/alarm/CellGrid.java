@@ -2,17 +2,17 @@ package org.dronewatch.sensor.alarm;
 
 /**
  * Divides the unit cube into any number of boxes of equal volume: a box of n cells is cut across its longest side (the
- * first of equal ones) into two with half of the cells each, or one more in the second.
+ * first of equal ones) into two boxes with half of the cells each, or with one more in the second if n is odd.
  */
 final class CellGrid {
     private CellGrid() {}
 
     /**
-     * A point of the box of one cell.
+     * Finds a point in the box of one cell.
      *
-     * @param cell its number, from 0
-     * @param cells how many there are
-     * @param dimensions which of the coordinates are divided: the first ones, 0 to 3
+     * @param cell number of the cell, from 0
+     * @param cells number of cells
+     * @param dimensions number of coordinates that are divided, starting with the first, 0 to 3
      * @param point coordinates within the box, each from 0 to 1; replaced by those within the cube
      */
     static void locate(long cell, long cells, int dimensions, double[] point) {

@@ -34,7 +34,7 @@ public final class FalseAlarmSource {
     /** The name of the figure that is 1 for a false alarm that began in an earlier look. */
     public static final String CONTINUED = "continued";
 
-    /** Larger means are drawn in parts, since {@code exp(-mean)} must not vanish. */
+    /** Numbers with a larger mean are drawn in parts, since {@code exp(-mean)} must not underflow to 0. */
     private static final double LARGEST_MEAN = 30.0;
 
     private final SensorSettings<?> settings;
@@ -99,7 +99,9 @@ public final class FalseAlarmSource {
         }
     }
 
-    /** A Poisson-distributed number, by adding up probabilities until they exceed a uniform one. */
+    /**
+     * A Poisson-distributed number, drawn by adding up probabilities until they exceed a uniformly distributed number.
+     */
     static int poisson(double mean, RandomGenerator random) {
         int pieces = Math.max(0, (int) Math.ceil(mean / LARGEST_MEAN) - 1);
         int count = 0;
@@ -126,7 +128,7 @@ public final class FalseAlarmSource {
         Observation seen(World world, LookId look, FalseAlarming sensor) {
             Map<String, Double> figures = new LinkedHashMap<>();
             figures.put(CELL, (double) cell);
-            // What began before the run is new to whoever watches it.
+            // An alarm that began before the run is new to anyone who watches the run.
             if (began < look.index() && look.index() > 0) {
                 figures.put(CONTINUED, 1.0);
             }

@@ -69,7 +69,7 @@ public record FalseAlarms(
         return SettingsForm.with(this, "weather", rates);
     }
 
-    /** These false alarms in given weather: with the highest of the rates that apply then, and no other. */
+    /** These false alarms in given weather: with the highest of the rates that apply in it, and no others. */
     public FalseAlarms in(Weather given) {
         double applies = weather.stream()
                 .filter(one -> one.appliesIn(given))
@@ -96,7 +96,10 @@ public record FalseAlarms(
         return lines;
     }
 
-    /** The first entry that applies whenever another does, and is at least as high; of two equal ones, the first. */
+    /**
+     * The first other entry that applies whenever the given one does, with a rate that is at least as high; of two
+     * equal entries, only the first makes the other superfluous.
+     */
     private OptionalInt stronger(int index) {
         WeatherRate one = weather.get(index);
         return IntStream.range(0, weather.size())

@@ -54,7 +54,7 @@ public record WeatherRate(
         return SettingsForm.with(this, "illuminance", lux);
     }
 
-    /** Whether it applies in any weather that a site can have. */
+    /** Whether this rate applies in any weather that a site can have. */
     boolean isUnconditional() {
         return appliesWhenever(of(perHour));
     }

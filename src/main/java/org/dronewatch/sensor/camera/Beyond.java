@@ -7,7 +7,7 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * What a camera sees beyond the drones: the sun, and what is behind a drone. Keeps scratch memory: for use by one
+ * What a camera sees beyond the drones: the sun, and the background of a drone. Keeps scratch memory: for use by one
  * thread at a time.
  */
 final class Beyond {
@@ -16,9 +16,9 @@ final class Beyond {
     private final Position camera;
 
     /**
-     * What is beyond drones as seen from the position of a camera.
+     * What is seen beyond the drones from the position of a camera.
      *
-     * @param camera m
+     * @param camera position of the camera, m
      */
     Beyond(World world, Position camera) {
         this.world = world;
@@ -26,7 +26,7 @@ final class Beyond {
         this.camera = camera;
     }
 
-    /** The vector to the sun, when the camera sees it, in its image or not. */
+    /** The vector to the sun if nothing hides the sun from the position of the camera; it may lie outside the image. */
     Optional<Position> sun() {
         return world.light().sun().map(Light.Sun::direction).filter(vector -> vector.z() >= 0.0 && isFree(vector));
     }
@@ -37,8 +37,8 @@ final class Beyond {
     }
 
     /**
-     * How far behind a drone the line of sight meets the ground or a building; beyond the edge of the site
-     * there is level ground at the height of its lowest point.
+     * The distance behind a drone at which the line of sight meets the ground or a building; beyond the edge of the
+     * site, the ground is taken to be level, at the height of the site's lowest point.
      *
      * @param at origin of the drone, m
      * @return 0 or more, m; infinite for the sky

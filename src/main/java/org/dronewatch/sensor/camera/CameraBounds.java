@@ -26,7 +26,7 @@ import org.dronewatch.world.World;
 final class CameraBounds {
     private static final Position AT_REST = new Position(0, 0, 0);
 
-    /** The signals of fewer pixels than this are kept. */
+    /** The signals for fewer pixels than this are kept for reuse. */
     private static final int KEPT = 1 << 10;
 
     private final World world;
@@ -37,10 +37,12 @@ final class CameraBounds {
     private Position asked;
     private Optional<Obstacle> obstacle = Optional.empty();
 
-    /** The bounds without a pixel by cause, if they are the same at all positions. */
+    /** The bounds for a drone that no pixel shows, by cause, if they are the same at all positions. */
     private final Map<Cause, Optional<AssessmentBounds>> unseen = new EnumMap<>(Cause.class);
 
-    /** The signals by number of pixels, if they depend on nothing else; null for those that were not needed yet. */
+    /**
+     * The signals by number of pixels, if they depend on nothing else; null for those that have not been needed yet.
+     */
     private final Signal[] known = new Signal[KEPT];
 
     CameraBounds(World world, CameraSignal signals, Cover cover) {
@@ -50,9 +52,9 @@ final class CameraBounds {
     }
 
     /**
-     * Bounds for all headings and speeds: those of a drone that is outside the image, or that the site hides.
+     * Bounds that hold at all headings and speeds: those for a drone that is outside the image, or that the site hides.
      *
-     * @param picture of the camera as it is pointed
+     * @param picture the pictures of the camera as it is pointed
      */
     Optional<AssessmentBounds> atAllHeadings(DronePicture picture, Drone drone, Position at) {
         double radius = drone.silhouettes().radius();
@@ -66,7 +68,10 @@ final class CameraBounds {
                 : Optional.empty();
     }
 
-    /** Without a pixel, neither heading nor speed matter; nor does the position if only pixels count. */
+    /**
+     * The bounds for a drone that no pixel shows: neither heading nor speed matters then, nor does the position if only
+     * pixels count.
+     */
     private Optional<AssessmentBounds> unseen(DronePicture picture, Position at, Cause cause) {
         if (!signals.countPixelsOnly()) {
             return boundsUnseen(picture, at, cause);
@@ -98,9 +103,9 @@ final class CameraBounds {
     }
 
     /**
-     * Bounds for a level state.
+     * Bounds for a level state of flight.
      *
-     * @param steps gives the step of a probability; those of one step count as equal
+     * @param steps maps a probability to a step; probabilities of the same step count as equal
      * @return empty where it is faster to draw the drone
      */
     Optional<AssessmentBounds> of(
@@ -118,7 +123,7 @@ final class CameraBounds {
         int greatest = steps.applyAsInt(there.signal(pixels.mostAround()).probability());
         IntPredicate enough = new Enough(number -> there.isDetectedIn(number, greatest, steps));
         if (enough.test(pixels.mostAround())) {
-            // The first rows may suffice, a sample hardly ever does.
+            // The first rows may suffice; a sample hardly ever does.
             pixels.examineAll();
         }
         pixels.count(state.heading(), enough);
@@ -134,7 +139,10 @@ final class CameraBounds {
                 : bounds;
     }
 
-    /** As {@link CameraSensor#greatestMarginDb}: the margin of a drone that fills the rectangle around it. */
+    /**
+     * The greatest margin as in {@link CameraSensor#greatestMarginDb}: that of a drone that fills the rectangle around
+     * it.
+     */
     double greatestMarginDb(DronePicture picture, Drone drone, FlightState state, Optional<Pointing> pointing) {
         State there = new State(picture, state, pointing);
         return picture.bounds(world, drone.silhouettes(), state.position())
@@ -144,7 +152,7 @@ final class CameraBounds {
 
     /**
      * A condition that holds for some number of pixels and for any greater one, evaluated only where earlier answers
-     * leave it open. Without any pixel it is always evaluated, as it may be a different one there.
+     * leave it open. For no pixel at all, it is always evaluated, since the result may then follow a different rule.
      */
     private static final class Enough implements IntPredicate {
         private final IntPredicate condition;
@@ -170,13 +178,13 @@ final class CameraBounds {
         }
     }
 
-    /** A state in which the drone may be. */
+    /** A state of flight in which the drone may be. */
     private final class State {
         private final DronePicture picture;
         private final FlightState state;
         private final Optional<Pointing> pointing;
 
-        /** The view of a drone in this state with a pixel; null until it is needed. */
+        /** The view of a drone in this state that one pixel shows; null until it is needed. */
         private DroneView visible;
 
         State(DronePicture picture, FlightState state, Optional<Pointing> pointing) {
@@ -185,13 +193,13 @@ final class CameraBounds {
             this.pointing = pointing;
         }
 
-        /** Whether a number of pixels is sufficient for a step. */
+        /** Whether a number of pixels is sufficient for a step of the probability. */
         boolean isDetectedIn(int pixels, int step, DoubleToIntFunction steps) {
             Signal signal = signal(pixels);
             return signal.isDetected() && steps.applyAsInt(signal.probability()) == step;
         }
 
-        /** Empty where the bounds are too far apart, or the cause is not certain. */
+        /** The bounds on the assessment; empty where they are too far apart, or the cause is not certain. */
         Optional<AssessmentBounds> bounds(PixelBounds pixels, DoubleToIntFunction steps) {
             Range seen = range(pixels.least(), pixels.most());
             return steps.applyAsInt(seen.least) == steps.applyAsInt(seen.greatest)
@@ -222,7 +230,10 @@ final class CameraBounds {
                     : Optional.empty();
         }
 
-        /** Between two numbers of pixels. All else is equal for one pixel or more, but not for none. */
+        /**
+         * The range of signals between two numbers of pixels. All else is equal for one pixel or more, but not for
+         * none.
+         */
         private Range range(int least, int most) {
             Signal low = signal(least);
             Signal high = signal(most);
@@ -277,7 +288,7 @@ final class CameraBounds {
         }
     }
 
-    /** The signals between two numbers of pixels, and whether the drone is certainly detected, or missed. */
+    /** The signals between two numbers of pixels, and whether the drone is certainly detected or certainly missed. */
     private record Range(
             double least,
             double greatest,

@@ -38,7 +38,7 @@ import org.dronewatch.world.World;
  * time.
  */
 public final class CameraSensor implements BoundingSensor {
-    /** If there are fewer pixels than this, all are counted at once. */
+    /** If there are fewer pixels than this, all of them are counted without checking whether some suffice. */
     private static final int FEW_PIXELS = 256;
 
     private final CameraSettings settings;
@@ -201,7 +201,10 @@ public final class CameraSensor implements BoundingSensor {
                 .isDetected();
     }
 
-    /** Whether a number of pixels gives a sufficient signal; false for few pixels, which are counted at once. */
+    /**
+     * Whether a number of pixels gives a sufficient signal; false if there are few pixels, since all of them are
+     * counted then.
+     */
     private IntPredicate enough(Drone drone, Predicate<Signal> isSufficient) {
         if (!settings.detection().growsWithPixels() || picture.mostPixels(world, drone) < FEW_PIXELS) {
             return pixels -> false;
@@ -228,7 +231,7 @@ public final class CameraSensor implements BoundingSensor {
                 sighted ? Optional.of(settings.sighting(drone.origin(), pixels, picture.camera())) : Optional.empty());
     }
 
-    /** What the value must reach in one frame. */
+    /** The threshold that the value must reach in one frame. */
     private double threshold(Drone drone, Look look, double probability) {
         return isWatched()
                 ? look.observerThreshold(drone.id(), settings.rate(), probability)

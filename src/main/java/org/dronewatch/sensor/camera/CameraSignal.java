@@ -13,13 +13,13 @@ final class CameraSignal {
     private final CameraSettings settings;
     private final Beyond beyond;
 
-    /** The light by which it sees, dimmed by rain. */
+    /** The light by which the camera sees, dimmed by rain. */
     private final Light light;
 
-    /** The vector to the sun, as long as the camera sees it. */
+    /** The vector to the sun; empty if the camera does not see the sun. */
     private final Optional<Position> sun;
 
-    // The position of the last query, and what is behind a drone there.
+    // The position of the last query, and the distance of the background behind a drone there.
     private Position before;
     private double background;
 
@@ -38,11 +38,11 @@ final class CameraSignal {
     /**
      * The view of a drone.
      *
-     * @param at its origin, m
+     * @param at position of its origin, m
      * @param velocity its velocity, m/s
-     * @param pixels that show it
+     * @param pixels number of pixels that show it
      * @param pointing where a positioner points the camera
-     * @param focalLength of the camera as it is pointed, pixels
+     * @param focalLength focal length of the camera as it is pointed, pixels
      */
     DroneView view(Position at, Position velocity, int pixels, Optional<Pointing> pointing, double focalLength) {
         double range = at.distance(settings.position());

@@ -135,7 +135,7 @@ public record TargetTask(
         return contrastAgainst(brightness, view.background()) * light.contrastLeft(view.range(), brightness);
     }
 
-    /** The contrast of a drone against a background at close range, which is darker or brighter than the sky. */
+    /** The contrast of a drone at close range against a background that is darker or brighter than the sky. */
     private double contrastAgainst(double brightness, double behind) {
         if (groundContrast.isPresent() && behind < Double.POSITIVE_INFINITY) {
             return groundContrast.get();

@@ -13,15 +13,15 @@ public final class AreaBounds {
     /** The least cosine of the angle between the camera's axis and the drone for which an upper bound is stated. */
     private static final double LEAST_COSINE = 0.1;
 
-    /** Rounding. */
+    /** Tolerance for rounding. */
     private static final double SLACK = 1e-6;
 
     private static final double[] SIGNS = {-1.0, 1.0};
 
-    /** How often the square around a drone is divided into four. */
+    /** How many times the square around a drone is divided into four. */
     private static final int DIVISIONS = 4;
 
-    /** How many surfaces in front of the middle of a square are tried. */
+    /** The number of surfaces in front of the middle of a square that are tried. */
     private static final int SURFACES = 6;
 
     private final CameraObject camera;
@@ -64,7 +64,7 @@ public final class AreaBounds {
         return isHidden(bundle, 0.0, 0.0, 1.0, end, DIVISIONS);
     }
 
-    /** Whether a part of the bundle is hidden: a square given by its middle and half of its side. */
+    /** Whether a part of the bundle is hidden: a square, given by its middle and half the length of its side. */
     private boolean isHidden(Bundle bundle, double side, double up, double size, double end, int divisions) {
         Position from = camera.position();
         Position middle = bundle.ray(side, up);
@@ -109,7 +109,10 @@ public final class AreaBounds {
         return true;
     }
 
-    /** The rays of a {@link VisibleArea}, and a little more: a square bundle around the drone's bounding sphere. */
+    /**
+     * A square bundle of rays around the drone's bounding sphere: it contains all rays of a {@link VisibleArea}, and is
+     * a little wider.
+     */
     private static final class Bundle {
         private final double range;
         private final double half;
@@ -133,7 +136,7 @@ public final class AreaBounds {
             return half < LEAST_COSINE;
         }
 
-        /** The ray of a point of the square, from -1 to 1 to either side. */
+        /** The ray through a point of the square, given by two coordinates from -1 to 1. */
         Position ray(double side, double up) {
             return ahead.plus(aside.times(side * half)).plus(above.times(up * half));
         }
@@ -158,7 +161,10 @@ public final class AreaBounds {
                     mesh.coordinate(triangle, number, 2));
         }
 
-        /** Where a ray meets its inside, as a multiple of the ray; NaN where it does not, or close to an edge. */
+        /**
+         * The distance at which a ray meets the inside of the triangle, as a multiple of the ray; NaN if it does not,
+         * or if it passes close to an edge.
+         */
         double distance(Position ray) {
             Position normal = ray.cross(other);
             double determinant = edge.dot(normal);

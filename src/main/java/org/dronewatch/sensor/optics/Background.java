@@ -1,11 +1,11 @@
 package org.dronewatch.sensor.optics;
 
-/** What is behind drones in an image. */
+/** The background behind drones in an image. */
 @FunctionalInterface
 interface Background {
-    /** Nothing: every drone is seen whole. */
+    /** No background: every drone is seen whole. */
     Background NOTHING = (column, row) -> Float.POSITIVE_INFINITY;
 
-    /** Its distance along a pixel's ray, m; infinity for none. */
+    /** The distance of the background along a pixel's ray, m; infinity if there is none. */
     float distance(int column, int row);
 }

@@ -19,7 +19,7 @@ public final class CameraAxes {
     private final double cos;
     private final double sin;
 
-    /** The directions to the right and up with a level horizon. */
+    /** The directions to the right and up if the horizon is level. */
     private final Position levelRight;
 
     private final Position levelUp;
@@ -28,7 +28,7 @@ public final class CameraAxes {
      * The axes of a camera.
      *
      * @param direction line of sight of the camera, of any non-zero length
-     * @param roll how far its right side is turned down from where the horizon is level, rad
+     * @param roll rotation about that direction from a level horizon, its right side down, rad
      */
     CameraAxes(Position direction, double roll) {
         double quarters = Math.rint(roll / (0.5 * Math.PI));
@@ -46,7 +46,10 @@ public final class CameraAxes {
         return sin == 0.0 && cos == 1.0;
     }
 
-    /** What is at the top of the image of a level camera: the sky, or the north if it looks straight up or down. */
+    /**
+     * The direction at the top of the image of a level camera: upwards, or north if the camera looks straight up or
+     * down.
+     */
     private static Position top(Position forward) {
         return Math.abs(forward.z()) < VERTICAL ? new Position(0, 0, 1) : new Position(0, 1, 0);
     }
@@ -59,12 +62,12 @@ public final class CameraAxes {
     /**
      * Writes the unit direction of a point of the image.
      *
-     * @param across how far it is to the right of the axis, over the focal length
-     * @param above how far it is above the axis, over the focal length
+     * @param across distance of the point to the right of the axis, divided by the focal length
+     * @param above distance of the point above the axis, divided by the focal length
      */
     void direction(double across, double above, double[] target) {
-        // As the point of a level camera's image that looks there: so a quarter turn gives the same directions bit for
-        // bit.
+        // Computed from the point that has this direction in the image of a level camera, so that a quarter turn gives
+        // the same directions bit for bit.
         double x = across * cos + above * sin;
         double y = above * cos - across * sin;
         double scale = 1.0 / Math.sqrt(1.0 + x * x + y * y);

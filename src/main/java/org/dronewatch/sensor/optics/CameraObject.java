@@ -24,7 +24,7 @@ public final class CameraObject {
     private final double roll;
     private final Projection lens;
 
-    /** Where the axis meets the image, in pixels from its left and its top edge. */
+    /** The point at which the axis meets the image, in pixels from the left and from the top edge. */
     private final double axisColumn;
 
     private final double axisRow;
@@ -126,7 +126,7 @@ public final class CameraObject {
                         lens.limit());
     }
 
-    /** All that decides what a camera sees of a site. */
+    /** Everything that determines what a camera sees of a site. */
     record Pose(
             Position position,
             Position forward,
@@ -137,7 +137,7 @@ public final class CameraObject {
             double focalLength,
             Projection lens) {}
 
-    /** All that decides what this camera sees of a site, to be compared. */
+    /** Everything that determines what this camera sees of a site, for comparison with other cameras. */
     Pose pose() {
         return new Pose(position, forward, right, up, width, height, focalLength, lens);
     }
@@ -242,7 +242,7 @@ public final class CameraObject {
                 || isBeyond(-above, depth, height - axisRow, radius);
     }
 
-    /** Whether a sphere lies wholly beyond an edge of the image, which is a number of pixels away from the axis. */
+    /** Whether a sphere lies wholly beyond an edge of the image that is a given number of pixels away from the axis. */
     private boolean isBeyond(double aside, double depth, double pixels, double radius) {
         double slope = pixels / focalLength;
         return aside - slope * depth > radius * Math.sqrt(1.0 + slope * slope);

@@ -17,7 +17,9 @@ import org.dronewatch.world.World;
  * drones, and keeps scratch memory for the drones: for use by one thread at a time.
  */
 public final class DronePicture {
-    /** Greater than the rounding error of distances in an image, which are of single precision. */
+    /**
+     * A relative tolerance, greater than the rounding error of distances in an image, which are of single precision.
+     */
     private static final double ROUNDING = 4e-6;
 
     private final CameraObject camera;
@@ -100,7 +102,7 @@ public final class DronePicture {
         dynamicView.draw(background(drone.origin(), drone.radius()), drone, enough);
     }
 
-    /** The greatest number of pixels that can show a drone in a world. */
+    /** An upper bound on the number of pixels that show a drone in a world. */
     public int mostPixels(World world, Drone drone) {
         setWorld(world);
         return dynamicView.mostPixels(drone);
@@ -163,7 +165,7 @@ public final class DronePicture {
         return there.refine(dynamicView, drone, enough, isSufficient);
     }
 
-    /** What is behind a drone: nothing for a camera in a temporary pose, if nothing can be in front of the drone. */
+    /** The background of a drone: none for a camera in a temporary pose if nothing can be in front of the drone. */
     private Background background(Position at, double radius) {
         return !isAtRest && sight.isClear(at, radius) ? Background.NOTHING : staticView;
     }

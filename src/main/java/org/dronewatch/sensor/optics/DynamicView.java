@@ -18,8 +18,9 @@ import org.jogamp.vecmath.Matrix4d;
  */
 final class DynamicView {
     /**
-     * With more triangles than this for each pixel of its rectangle, a drone is traced ray by ray. Measured with the
-     * quadrotor of 4,904 triangles: at 24 x 24 pixels rays and tiles take the same time, at 12 x 12 rays half of it.
+     * A drone with more triangles than this for each pixel of its rectangle is traced ray by ray. Measured with the
+     * quadrotor of 4,904 triangles: at 24 x 24 pixels, rays and tiles take the same time; at 12 x 12 pixels, rays take
+     * half as long as tiles.
      */
     private static final double TRIANGLES_PER_PIXEL = 6.0;
 
@@ -40,7 +41,7 @@ final class DynamicView {
     private final Function<KDTree, TileTracer> tracers;
     private final Map<KDTree, TileTracer> traversals;
 
-    /** One for each drone of the last frame, in its order. */
+    /** One silhouette for each drone of the last frame, in the order of that frame. */
     private Silhouette[] silhouettes = new Silhouette[0];
 
     /**
@@ -52,9 +53,9 @@ final class DynamicView {
     private int rivalCount;
 
     /**
-     * A view.
+     * A view without drones.
      *
-     * @param tracers make what traces a drone's tree
+     * @param tracers creates the tracer of a drone's tree
      */
     DynamicView(CameraObject camera, Function<KDTree, TileTracer> tracers) {
         this(camera, tracers, new IdentityHashMap<>());
@@ -68,7 +69,10 @@ final class DynamicView {
         this.grid = new ModelGrid(camera);
     }
 
-    /** A view of a camera in another pose, with the same tracers, which hold much memory; this one is done. */
+    /**
+     * A view of a camera in another pose, which takes over the tracers, since they hold much memory; this view must not
+     * be used afterwards.
+     */
     DynamicView turned(CameraObject to) {
         return new DynamicView(to, tracers, traversals);
     }
@@ -153,9 +157,9 @@ final class DynamicView {
     }
 
     /**
-     * Whether the middle of a large drone is enough, which is drawn; otherwise nothing is.
+     * Draws the middle of a large drone if that is enough, and returns whether it is; otherwise draws nothing.
      *
-     * @param enough false for every number where all pixels are needed
+     * @param enough whether a number of pixels is sufficient; false for every number if all pixels are needed
      */
     private boolean isEnoughInTheMiddle(TileTracer traversal, Background background, int number, IntPredicate enough) {
         PixelRectangle rectangle = silhouettes[number].rectangle();
@@ -192,10 +196,10 @@ final class DynamicView {
     }
 
     /**
-     * Prepares for tracing some pixels of a drone; what was drawn before is kept.
+     * Prepares to trace some pixels of a drone one by one; what was drawn before is kept.
      *
-     * @param pixels how many may be traced
-     * @return false if drawing the drone by tiles is faster than that
+     * @param pixels number of pixels that may be traced
+     * @return false if it is faster to draw the drone by tiles
      */
     boolean beginSingly(Drone drone, int pixels) {
         significantPixels.find(drone, around);
@@ -206,7 +210,10 @@ final class DynamicView {
         return true;
     }
 
-    /** Distance of that drone along the ray of a pixel, as if it were drawn, m; infinity where it is not. */
+    /**
+     * Distance of that drone along the ray of a pixel, as if it were drawn, m; infinity where the ray does not meet the
+     * drone.
+     */
     float distanceSingly(int column, int row) {
         if (!around.contains(column, row)) {
             return Float.POSITIVE_INFINITY;
@@ -246,13 +253,13 @@ final class DynamicView {
         silhouettes[number].show(column, row, distance);
     }
 
-    /** How many pixels can show a drone: those of the rectangle around it. */
+    /** The number of pixels that can show a drone: those of the rectangle around it. */
     int mostPixels(Drone drone) {
         significantPixels.find(drone, around);
         return around.isEmpty() ? 0 : around.pixels();
     }
 
-    /** How many pixels show a drone, by its index in the list that was drawn. */
+    /** The number of pixels that show a drone, by its index in the list that was drawn. */
     int pixels(int number) {
         return silhouettes[number].pixels();
     }

@@ -1,9 +1,9 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * How much of the light of a point falls on the pixel on whose centre it is imaged: the rest is spread over its
- * neighbours by lens and air. The image of the point and a square pixel are integrated over spatial frequency, where
- * both are known:
+ * The fraction of the light of a point that falls on the pixel on whose centre the point is imaged; lens and air spread
+ * the rest over the neighbouring pixels. The image of the point and a square pixel are integrated over spatial
+ * frequency, where both are known:
  *
  * <pre>
  * integral M(f) sinc(fx) sinc(fy) dfx dfy,  f = sqrt(fx^2 + fy^2) in cycles per pixel, sinc(x) = sin(pi x) / (pi x)
@@ -14,10 +14,10 @@ package org.dronewatch.sensor.optics;
 final class EnsquaredEnergy {
     private static final double STEP = 0.02;
 
-    /** Up to 50 cycles per pixel: what finer detail would add is below 0.01. */
+    /** The number of steps in frequency, up to 50 cycles per pixel: the contribution of finer detail is below 0.01. */
     private static final int STEPS = 2500;
 
-    /** Directions over an eighth of a turn; the rest follows by symmetry. */
+    /** The number of directions over an eighth of a turn; the rest follows by symmetry. */
     private static final int DIRECTIONS = 128;
 
     /** Detail whose transfer is below this is ignored. */
@@ -29,10 +29,10 @@ final class EnsquaredEnergy {
     private EnsquaredEnergy() {}
 
     /**
-     * The fraction of a point's light.
+     * The fraction of a point's light that falls on its pixel.
      *
-     * @param transfer what lens and air leave
-     * @param focalLength pixels
+     * @param transfer modulation transfer of lens and air
+     * @param focalLength focal length, pixels
      * @return 0 to 1
      */
     static double of(ImageTransfer transfer, double focalLength) {

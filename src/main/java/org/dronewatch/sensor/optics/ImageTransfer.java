@@ -7,7 +7,7 @@ package org.dronewatch.sensor.optics;
  * @param air turbulence of the air between the lens and the target
  */
 public record ImageTransfer(Lens lens, Turbulence air) {
-    /** Halvings of the interval: what is left of it is the rounding of a double. */
+    /** Number of halvings of the interval, which is then no wider than the rounding error of a double. */
     private static final int HALVINGS = 53;
 
     /**
@@ -20,7 +20,7 @@ public record ImageTransfer(Lens lens, Turbulence air) {
         return new ImageTransfer(lens, Turbulence.of(structure, lens.wavelength(), range));
     }
 
-    /** Whether neither lens nor air blurs. */
+    /** Whether neither the lens nor the air blurs the image. */
     private boolean isPerfect() {
         return lens.aperture().isEmpty() && Double.isInfinite(air.coherenceDiameter());
     }

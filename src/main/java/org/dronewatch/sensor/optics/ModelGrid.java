@@ -16,7 +16,7 @@ public final class ModelGrid {
     private final double[] origin = new double[3];
     private final double[][] modelGrid = new double[3][3];
 
-    /** A grid of the pixels of a camera. */
+    /** The grid of the pixels of a camera. */
     public ModelGrid(CameraObject camera) {
         this.grid = camera.grid();
         this.from = camera.position();

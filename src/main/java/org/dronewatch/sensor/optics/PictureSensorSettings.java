@@ -140,7 +140,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         double[] view = new double[3];
         camera.toView(drone.x(), drone.y(), drone.z(), view, 0);
         double cosine = view[2] / drone.distance(position());
-        // Off the axis a pixel subtends a smaller solid angle, by the cube of the cosine.
+        // Off the axis, a pixel subtends a solid angle that is smaller by the cube of the cosine.
         double pixel = Math.pow(Math.max(0.0, cosine), 1.5) / camera.focalLength();
         double size = pixel * Math.sqrt(Math.max(1.0, pixels));
         Direction direction = Direction.of(drone.minus(position()));
@@ -223,7 +223,7 @@ public interface PictureSensorSettings<C extends Record & PictureSensorSettings<
         return SettingsForm.with(self(), Map.of("fov", fov, "fovAxis", FieldOfView.VERTICAL, "projection", projection));
     }
 
-    /** The record itself: what implements this names itself as {@code C}. */
+    /** The record itself: every implementation names itself as {@code C}. */
     @SuppressWarnings("unchecked")
     private C self() {
         return (C) this;

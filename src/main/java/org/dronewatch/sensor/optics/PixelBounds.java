@@ -14,13 +14,16 @@ import org.dronewatch.geometry.Position;
  * request. Reused for many positions. For use by one thread.
  */
 public final class PixelBounds {
-    /** Rays that are traced before bounds that did not suffice are checked again. */
+    /** Number of rays that are traced before bounds that did not suffice are checked again. */
     private static final int TRACED_AT_ONCE = 6;
 
-    /** A sufficient number of pixels exceeds the least sufficient one by at most this part of it. */
+    /**
+     * The sufficient number of pixels that is found exceeds the least sufficient one by at most one part in this
+     * number.
+     */
     private static final int PRECISION = 16;
 
-    /** Pixels that are counted before their number is compared with the sufficient one. */
+    /** Number of pixels that are counted before the count is compared with the sufficient number. */
     private static final int COUNTED_AT_ONCE = 128;
 
     private final PixelSample pixels;
@@ -28,10 +31,10 @@ public final class PixelBounds {
     /** The mask of the last count; null for none. */
     private SilhouetteMask mask;
 
-    /** Whether that count ended early. */
+    /** Whether the last count ended early. */
     private boolean isCutShort;
 
-    /** Whether its upper bound includes pixels that the site hides. */
+    /** Whether the upper bound of the last count includes pixels that the site hides. */
     private boolean countsHidden;
 
     /** Whether hidden pixels need not be traced, since the drone would certainly be detected if nothing hid it. */
@@ -42,7 +45,7 @@ public final class PixelBounds {
     private int leastInTheOpen;
     private int mostInTheOpen;
 
-    /** How many pixels are expected to show it. */
+    /** The number of pixels that are expected to show the drone. */
     private int expected;
 
     PixelBounds(CameraObject camera) {
@@ -50,11 +53,11 @@ public final class PixelBounds {
     }
 
     /**
-     * Sets the place of a drone.
+     * Sets the position of a drone.
      *
      * @param site the site without drones
      * @param at origin of the drone, m
-     * @return false where no bounds are known: close to the camera, and at the planes of its projection
+     * @return false where no bounds are known: close to the camera, and at the near and far planes
      */
     boolean set(Background site, SilhouetteTable table, Position at) {
         return pixels.set(site, table, at);
@@ -120,10 +123,10 @@ public final class PixelBounds {
     }
 
     /**
-     * A sufficient number of pixels, hardly greater than the least: certain pixels are counted only that far. Greatest
-     * integer if no number that is possible suffices.
+     * A sufficient number of pixels, hardly greater than the least sufficient one: certain pixels are counted only up
+     * to this number. The greatest integer if no possible number suffices.
      *
-     * @param precision by which fraction of the least it may be greater, inverted
+     * @param precision the number may exceed the least sufficient one by one part in this value
      */
     private int findSufficient(IntPredicate enough, int precision) {
         int tooFew = 0;
@@ -145,7 +148,10 @@ public final class PixelBounds {
         return found;
     }
 
-    /** Counts the pixels that certainly show the drone, up to a sufficient number; whether there are that many. */
+    /**
+     * Counts the pixels that certainly show the drone, up to a sufficient number, and returns whether there are that
+     * many.
+     */
     private boolean countCertain(int sufficient) {
         int first = 0;
         while (least < sufficient && pixels.has(first)) {
@@ -157,7 +163,7 @@ public final class PixelBounds {
         return least >= sufficient;
     }
 
-    /** Counts the pixels that may show the drone, and those that would if nothing hid it. */
+    /** Counts the pixels that may show the drone, and those that would show it if nothing hid it. */
     private void countPossible() {
         most = 0;
         leastInTheOpen = 0;
@@ -175,12 +181,12 @@ public final class PixelBounds {
     }
 
     /**
-     * Traces pixels that the last count left undecided, until the bounds suffice or are exact: first those that
+     * Traces pixels that the last count left undecided, until the bounds suffice or are exact: first the pixels that
      * are expected to decide.
      *
-     * @param enough as for that count
+     * @param enough the predicate passed to that count
      * @param isSufficient whether the bounds suffice as they are
-     * @return false where a picture of the drone is drawn faster
+     * @return false where it is faster to draw a picture of the drone
      */
     boolean refine(DynamicView drawing, Drone drone, IntPredicate enough, BooleanSupplier isSufficient) {
         if (isCutShort || !pixels.isComplete()) {
@@ -199,7 +205,7 @@ public final class PixelBounds {
         return true;
     }
 
-    /** How many traced pixels decide if what is expected is true. */
+    /** The number of traced pixels that decide the outcome if they show what is expected of them. */
     private int countDecisive(boolean isExpected, IntPredicate enough) {
         int needed = findSufficient(enough, Integer.MAX_VALUE);
         if (isExpected) {
@@ -208,7 +214,7 @@ public final class PixelBounds {
         return skipsHidden && needed < Integer.MAX_VALUE ? most - needed : Integer.MAX_VALUE;
     }
 
-    /** Traces pixels that are likely to show the drone, or the others; true if that suffices. */
+    /** Traces the pixels that are likely to show the drone, or the others, and returns whether that suffices. */
     private boolean trace(
             DynamicView drawing, boolean isLikely, BooleanSupplier isDecided, BooleanSupplier isSufficient) {
         int left = 0;
@@ -257,7 +263,7 @@ public final class PixelBounds {
         most -= isSeen || !countsHidden && pixels.sight(pixel) == PixelSample.HIDDEN ? 0 : 1;
     }
 
-    /** The upper bounds are the number of pixels around the drone. */
+    /** Sets the upper bounds to the number of pixels around the drone. */
     private void countAround() {
         most = mostAround();
         mostInTheOpen = mostAround();

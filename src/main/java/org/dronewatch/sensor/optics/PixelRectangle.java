@@ -1,13 +1,16 @@
 package org.dronewatch.sensor.optics;
 
-/** A rectangle of pixels, borders included; set anew in each frame. For use by one thread at a time. */
+/**
+ * A rectangle of pixels, which includes its first and last row and column; set anew in each frame. For use by one
+ * thread at a time.
+ */
 final class PixelRectangle {
     private int left;
     private int top;
     private int right = -1;
     private int bottom = -1;
 
-    /** Leaves no pixel at all. */
+    /** Makes the rectangle empty. */
     void clear() {
         set(0, 0, -1, -1);
     }
@@ -36,7 +39,7 @@ final class PixelRectangle {
         return bottom;
     }
 
-    /** How many pixels it has. */
+    /** The number of its pixels. */
     int pixels() {
         return isEmpty() ? 0 : (right - left + 1) * (bottom - top + 1);
     }

@@ -6,34 +6,37 @@ import org.dronewatch.drone.silhouette.SilhouetteTable;
 import org.dronewatch.geometry.Position;
 
 /**
- * The pixels around a drone at a place, or a sample of them: which pixels' rays meet its bounding sphere, where they
- * pass it, and whether the site hides it from them. Reused for many places; allocates only if it needs more memory than
- * before. For use by one thread.
+ * The pixels around a drone at a position, or a sample of them: which pixels' rays meet the drone's bounding sphere,
+ * where these rays pass the drone, and whether the site hides it from them. Reused for many positions; allocates only
+ * if it needs more memory than before. For use by one thread.
  */
 final class PixelSample {
     static final byte HIDDEN = 1;
     static final byte UNCERTAIN = 2;
     static final byte FREE = 3;
 
-    /** Both {@link SilhouetteMask#INSIDE} and {@link #FREE} have all bits below this one set, and are the greatest. */
+    /**
+     * The values of {@link SilhouetteMask#INSIDE} and {@link #FREE} have all bits below this one set, and are the
+     * greatest.
+     */
     private static final int INSIDE_BIT = 2;
 
     /** If there are more pixels around a drone than this, only those of every n-th row and column are examined. */
     private static final int MOST_PIXELS = 1 << 12;
 
-    /** As {@link #MOST_PIXELS}, where the sample has not been sufficient. */
+    /** As {@link #MOST_PIXELS}, but after a sample that was not sufficient. */
     private static final int MOST_PIXELS_ON_REQUEST = 1 << 20;
 
     /**
-     * If there are still more, only those in the middle rows, up to about this number, are examined: a drone so near
-     * shows its body there.
+     * If there are even more, only about this number of pixels, in the middle rows, are examined: a drone that is so
+     * near shows its body there.
      */
     private static final int MIDDLE_PIXELS = 1 << 17;
 
-    /** Rounding of distances, which are of single precision, and of projections. */
+    /** Tolerance for the rounding of distances, which are of single precision, and of projections. */
     private static final double ROUNDING = 1e-6;
 
-    /** A camera nearer than this many radii is not examined: the drone would fill its image. */
+    /** The pixels of a camera nearer than this number of radii are not examined: the drone would fill its image. */
     private static final double NEAREST = 2.0;
 
     private final CameraObject camera;
@@ -52,10 +55,13 @@ final class PixelSample {
     /** The pixels of every n-th row and column are examined. */
     private int stride;
 
-    /** The number of pixels of which these are a sample, or more. */
+    /** The number of pixels of which these are a sample, or an upper bound on it. */
     private int sampled;
 
-    /** The middle row of the rectangle around the drone, and how far from it the next rows are to be examined. */
+    /**
+     * The middle row of the rectangle around the drone, and the distance from it at which the next rows are to be
+     * examined.
+     */
     private int middle;
 
     private int away;
@@ -71,11 +77,11 @@ final class PixelSample {
     }
 
     /**
-     * Sets the place of a drone.
+     * Sets the position of a drone.
      *
      * @param site the site without drones
      * @param at origin of the drone, m
-     * @return false where no bounds are known: close to the camera, and at the planes of its projection
+     * @return false where no bounds are known: close to the camera, and at the near and far planes
      */
     boolean set(Background site, SilhouetteTable table, Position at) {
         background = site;
@@ -144,7 +150,7 @@ final class PixelSample {
     /**
      * Whether there is another pixel around the drone. Rows that are not needed are not examined.
      *
-     * @param pixel how many there are before it
+     * @param pixel number of pixels before it
      */
     boolean has(int pixel) {
         while (pixel >= around && hasMoreRows()) {
@@ -175,7 +181,7 @@ final class PixelSample {
         return (int) Math.max(-1.0, Math.min(pixels - 1.0, Math.floor(edge - 0.5 + ROUNDING)));
     }
 
-    /** Makes room for pixels; not for all that there are, since the first rows are often sufficient. */
+    /** Makes room for more pixels, but not for all of them, since the first rows are often sufficient. */
     private void reserve(int pixels) {
         if (texels.length < pixels) {
             columns = Arrays.copyOf(columns, 2 * pixels);
@@ -214,21 +220,24 @@ final class PixelSample {
         return distance > (range + radius) * (1.0 + ROUNDING) ? FREE : UNCERTAIN;
     }
 
-    /** Whether the site hides all of the drone that a pixel may show, or nothing, or neither is certain. */
+    /** Whether the site hides all of the drone that a pixel may show, or none of it, or neither is certain. */
     byte sight(int pixel) {
         return sights[pixel];
     }
 
-    /** How many pixels around the drone have been examined so far. */
+    /** The number of pixels around the drone that have been examined so far. */
     int examined() {
         return around;
     }
 
-    /** How many of some pixels certainly show the drone: those from the first up to, but not including, the last. */
+    /**
+     * The number of pixels that certainly show the drone among those from the first up to, but not including, the last.
+     */
     int countCertain(SilhouetteMask mask, int first, int last) {
         int count = 0;
         for (int i = first; i < last; i++) {
-            // Without branches, since it takes most of the time of a field. Both have all bits set, or one is missing.
+            // Without branches, since this loop takes most of the time of a field. If the pixel counts, both values
+            // have all bits set; otherwise, a bit is missing.
             count += (mask.kind(texels[i]) & sights[i]) + 1 >> INSIDE_BIT;
         }
         return count;
@@ -238,7 +247,10 @@ final class PixelSample {
         return Math.max(0, Math.min(SilhouetteMask.TEXELS - 1, (int) ((coordinate + half) * scale)));
     }
 
-    /** Whether the site certainly hides the drone, however it turns, or it is between the rays of the pixels. */
+    /**
+     * Whether it is certain that the site hides the drone, however it turns, or that the drone lies between the rays of
+     * the pixels.
+     */
     boolean isInvisible() {
         for (int i = 0; has(i); i++) {
             if (sight(i) != HIDDEN) {
@@ -259,7 +271,7 @@ final class PixelSample {
         return sampled;
     }
 
-    /** Whether all pixels around the drone are examined, not only a sample, or some rows. */
+    /** Whether all pixels around the drone are examined, not only a sample of them or some rows. */
     boolean isComplete() {
         return stride == 1 && sampled <= MOST_PIXELS_ON_REQUEST;
     }
@@ -272,12 +284,12 @@ final class PixelSample {
         return rows[pixel];
     }
 
-    /** How far away the site is along the ray of a pixel, m. */
+    /** The distance of the site along the ray of a pixel, m. */
     float siteDistance(int pixel) {
         return background.distance(columns[pixel], rows[pixel]);
     }
 
-    /** What a mask states about the ray of a pixel. */
+    /** The kind of the texel at which the ray of a pixel meets a mask. */
     byte kind(SilhouetteMask mask, int pixel) {
         return mask.kind(texels[pixel]);
     }

@@ -7,9 +7,9 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The rays of a {@link VisibleArea}: a bundle over the square around a drone's bounding sphere. What does not depend on
- * how the drone turns is found once for each ray and place: how many pixels it represents, and whether the site is in
- * its way. Not thread-safe.
+ * The rays of a {@link VisibleArea}: a bundle over the square around a drone's bounding sphere. Everything that does
+ * not depend on how the drone turns is found once for each ray and position: how many pixels the ray represents, and
+ * whether the site obstructs it. Not thread-safe.
  */
 final class RayBundle {
     /**
@@ -21,16 +21,16 @@ final class RayBundle {
     /** The site hides all of the drone that a ray may show. */
     static final byte HIDDEN = 1;
 
-    /** The site may hide some of it. */
+    /** The site may hide some of the drone that a ray may show. */
     static final byte UNCERTAIN = 2;
 
-    /** The site hides no part of it. */
+    /** The site hides no part of the drone that a ray may show. */
     static final byte FREE = 3;
 
     private static final byte UNKNOWN = 0;
     private static final int STEP = 610;
 
-    /** Rounding of distances to the drone, which are of single precision. */
+    /** Tolerance for the rounding of distances to the drone, which are of single precision. */
     private static final double ROUNDING = 1e-6;
 
     private static final double[] ACROSS = new double[RAYS];
@@ -49,7 +49,7 @@ final class RayBundle {
     private final double[] parts = new double[RAYS];
     private final byte[] sights = new byte[RAYS];
 
-    // The bundle: its middle, which has length 1, its axes, and what a ray represents in the plane 1 m away.
+    // The bundle: its middle, which has length 1, its axes, and the area that a ray represents in the plane 1 m away.
     private Position vector;
     private double range;
     private double reach;
@@ -59,7 +59,7 @@ final class RayBundle {
     private double half;
     private double cellArea;
 
-    // The ray that was aimed last, and how far it leads along the axis of the camera.
+    // The ray at which the bundle was last aimed, and its component along the axis of the camera.
     private double x;
     private double y;
     private double z;
@@ -76,12 +76,12 @@ final class RayBundle {
         return visibility.world();
     }
 
-    /** The position of a ray to the side, from -1 to 1. */
+    /** The position of a ray in the square, to the side, from -1 to 1. */
     static double across(int ray) {
         return ACROSS[ray];
     }
 
-    /** Its position upwards, from -1 to 1. */
+    /** The position of a ray in the square, upwards, from -1 to 1. */
     static double upwards(int ray) {
         return UPWARDS[ray];
     }
@@ -90,7 +90,7 @@ final class RayBundle {
      * Sets the bundle around a vector from the camera.
      *
      * @param to the vector, m
-     * @param distance its length, m
+     * @param distance length of the vector, m
      * @param radius largest distance of the drone's mesh from its origin, less than that length, m
      */
     void set(Position to, double distance, double radius) {
@@ -110,12 +110,12 @@ final class RayBundle {
         Arrays.fill(sights, UNKNOWN);
     }
 
-    /** What the drone's bounding sphere covers 1 m in front of the camera: half of the square's side, m. */
+    /** Half the side of the square that the drone's bounding sphere covers 1 m in front of the camera, m. */
     double half() {
         return half;
     }
 
-    /** Aims at a ray. */
+    /** Sets the ray to which {@link #depth} and {@link #isFree} refer. */
     void aim(int ray) {
         double u = half * ACROSS[ray];
         double v = half * UPWARDS[ray];
@@ -125,7 +125,7 @@ final class RayBundle {
         depth = along(outline.forward());
     }
 
-    /** The ray that was aimed last. */
+    /** The x coordinate of the ray that was aimed last. */
     double x() {
         return x;
     }
@@ -138,7 +138,7 @@ final class RayBundle {
         return z;
     }
 
-    /** How far it leads along the axis of the camera. */
+    /** The component of the ray that was aimed last along the axis of the camera. */
     double depth() {
         return depth;
     }
@@ -147,7 +147,7 @@ final class RayBundle {
         return x * axis.x() + y * axis.y() + z * axis.z();
     }
 
-    /** Whether the site leaves the ray that was aimed last free, from the near plane on. */
+    /** Whether the site leaves the ray that was aimed last unobstructed, from the near plane on. */
     boolean isFree(double end) {
         Position at = camera.position();
         double start = camera.near() / depth;
@@ -159,7 +159,7 @@ final class RayBundle {
         return sights[ray] == HIDDEN;
     }
 
-    /** Whether the site hides the part of the drone that a ray, the one aimed last, may show. */
+    /** Whether the site hides the part of the drone that a ray may show; it must be the ray that was aimed last. */
     byte sight(int ray) {
         if (sights[ray] == UNKNOWN) {
             sights[ray] = find();
@@ -180,7 +180,7 @@ final class RayBundle {
         return start + visibility.distance() < nearest ? HIDDEN : UNCERTAIN;
     }
 
-    /** How many pixels a ray represents, if it shows the drone; none outside the image. */
+    /** The number of pixels that a ray represents if it shows the drone; 0 outside the image. */
     double part(int ray) {
         if (Double.isNaN(parts[ray])) {
             aim(ray);
@@ -201,7 +201,8 @@ final class RayBundle {
         if (fromMiddle * focal > 0.5 * camera.width() || overMiddle * focal > 0.5 * camera.height()) {
             return 0.0;
         }
-        // Solid angle of the ray's cell, then of a pixel there: both shrink with the cube of the length.
+        // The solid angle of the ray's cell is divided by that of a pixel there: both shrink with the cube of the
+        // length.
         double length = Math.sqrt(x * x + y * y + z * z);
         double solid = cellArea / (length * length * length);
         double oblique = Math.sqrt(1.0 + right * right + up * up);

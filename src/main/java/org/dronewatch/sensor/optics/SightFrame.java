@@ -1,8 +1,8 @@
 package org.dronewatch.sensor.optics;
 
 /**
- * Where the rays of a camera's pixels pass a drone: in the plane through its origin across the line of sight, to the
- * side, which is level, and upwards. For use by one thread.
+ * The points at which the rays of a camera's pixels pass a drone, in the plane through the drone's origin perpendicular
+ * to the line of sight: their coordinates to the side, which is level, and upwards. For use by one thread.
  */
 final class SightFrame {
     private final double[][] grid;
@@ -57,7 +57,7 @@ final class SightFrame {
         return azimuth;
     }
 
-    /** Its elevation, rad. */
+    /** Elevation of the line of sight, rad. */
     double elevation() {
         return elevation;
     }
@@ -69,24 +69,24 @@ final class SightFrame {
         z = dot(ahead, grid[0]) + column * stepZ + row * dot(ahead, grid[2]);
     }
 
-    /** Sets the pixel by the number of columns from the beginning of the row. */
+    /** Sets the pixel, given by the number of columns from the beginning of the row. */
     void setColumn(int number) {
         stretch = range / (z + number * stepZ);
         across = stretch * (x + number * stepX);
         above = stretch * (y + number * stepY);
     }
 
-    /** Whether its ray leads to the plane. */
+    /** Whether the pixel's ray leads to the plane. */
     boolean isAhead() {
         return stretch > 0.0;
     }
 
-    /** How far to the side it passes the drone's origin, m. */
+    /** The distance to the side at which the ray passes the drone's origin, m. */
     double across() {
         return across;
     }
 
-    /** How far above it passes, m. */
+    /** The distance above the drone's origin at which the ray passes it, m. */
     double above() {
         return above;
     }

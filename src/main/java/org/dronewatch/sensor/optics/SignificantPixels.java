@@ -10,7 +10,9 @@ import org.jogamp.vecmath.Matrix4d;
  * by one thread.
  */
 final class SignificantPixels {
-    /** Rounding of the projection, in pixels: a rectangle a little too large costs nothing. */
+    /**
+     * Tolerance for the rounding of the projection, in pixels: a rectangle that is a little too large costs nothing.
+     */
     private static final double MARGIN = 1e-6;
 
     private static final int CORNERS = 8;
@@ -21,7 +23,7 @@ final class SignificantPixels {
     /** The box's corners in the camera's frame: to the right, up and ahead. */
     private final double[] corners = new double[3 * CORNERS];
 
-    // The smallest rectangle around what was added, in pixels.
+    // The smallest rectangle around the points added so far, in pixels.
     private double left;
     private double top;
     private double right;
@@ -35,7 +37,7 @@ final class SignificantPixels {
     void find(Drone drone, PixelRectangle target) {
         target.clear();
         drone.modelMatrix(model);
-        // Most cameras of a site look elsewhere: they are done here.
+        // Most cameras of a site look elsewhere: for them, nothing more needs to be done.
         if (camera.isOutside(model.m03, model.m13, model.m23, drone.radius())) {
             return;
         }
@@ -94,7 +96,7 @@ final class SignificantPixels {
         bottom = Math.max(bottom, row);
     }
 
-    /** The pixels whose centres lie inside. */
+    /** Sets the rectangle to the pixels whose centres lie inside. */
     private void setRectangle(PixelRectangle target) {
         double first = 0.5 + MARGIN;
         double last = 0.5 - MARGIN;

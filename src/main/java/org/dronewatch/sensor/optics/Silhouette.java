@@ -13,7 +13,7 @@ final class Silhouette {
 
     private int pixels;
 
-    /** The pixels that may show it; set it, then {@link #clear()}. */
+    /** The pixels that may show the drone; set this rectangle, then call {@link #clear()}. */
     PixelRectangle rectangle() {
         return rectangle;
     }
@@ -36,18 +36,18 @@ final class Silhouette {
                 && theirs.top() <= rectangle.bottom();
     }
 
-    /** How far the drone is in a pixel, m; infinity where it is not seen. */
+    /** The distance of the drone in a pixel, m; infinity where it is not seen. */
     float distance(int column, int row) {
         return rectangle.contains(column, row) ? distances[index(column, row)] : Float.POSITIVE_INFINITY;
     }
 
-    /** Shows the drone in a pixel of the rectangle. */
+    /** Records that a pixel of the rectangle shows the drone. */
     void show(int column, int row, float distance) {
         distances[index(column, row)] = distance;
         pixels++;
     }
 
-    /** Hides it in a pixel where it was shown. */
+    /** Records that a pixel that showed the drone no longer does. */
     void hide(int column, int row) {
         distances[index(column, row)] = Float.POSITIVE_INFINITY;
         pixels--;
@@ -57,7 +57,7 @@ final class Silhouette {
         return (row - rectangle.top()) * (rectangle.right() - rectangle.left() + 1) + column - rectangle.left();
     }
 
-    /** How many pixels show it. */
+    /** The number of pixels that show the drone. */
     int pixels() {
         return pixels;
     }

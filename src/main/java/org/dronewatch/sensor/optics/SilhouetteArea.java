@@ -14,13 +14,13 @@ import org.jogamp.vecmath.Matrix4d;
  * in a mask of its silhouette instead of being traced. Not thread-safe.
  */
 public final class SilhouetteArea {
-    /** Rounding of sums, and of distances. */
+    /** Tolerance for the rounding of sums and of distances. */
     private static final double ROUNDING = 1e-9;
 
     /** Up to this sine of the elevation, the bundle's frame is that of the masks. */
     private static final double STEEPEST = 0.9;
 
-    /** A mask saves several pictures of about this number of pixels: see {@link SilhouetteTable#mask}. */
+    /** A mask makes several pictures of about this number of pixels unnecessary: see {@link SilhouetteTable#mask}. */
     private static final int PIXELS_SAVED = 512;
 
     /** Number of rays whose tracing takes about as long as checking whether the bounds are decisive. */
@@ -96,7 +96,7 @@ public final class SilhouetteArea {
 
     /**
      * Narrows the bounds until they are decisive, for a drone that nothing hides: traces rays that the mask leaves in
-     * doubt. In the end, the bounds are equal but for rounding.
+     * doubt. In the end, the bounds are equal apart from rounding.
      *
      * @param drone the drone that was bounded last
      * @param isLarge whether the decision is expected to be the one for a large area: rays that raise the lower bound
@@ -138,7 +138,7 @@ public final class SilhouetteArea {
         return isKnown && model.equals(asked);
     }
 
-    /** What the mask states about a ray of the bundle: {@link SilhouetteMask#kind}. */
+    /** The kind of the texel at which a ray of the bundle meets the mask: {@link SilhouetteMask#kind}. */
     byte kind(int ray) {
         return kinds[ray];
     }
@@ -159,9 +159,9 @@ public final class SilhouetteArea {
     }
 
     /**
-     * Where the rays of a {@link RayBundle} meet the masks of a drone's silhouette. From afar, they meet all masks of a
-     * drone at the same points, whose kinds each mask keeps; nearer, a few rays meet the neighbouring texel. Not
-     * thread-safe.
+     * The texels at which the rays of a {@link RayBundle} meet the masks of a drone's silhouette. From afar, the rays
+     * meet all masks of a drone at the same texels, whose kinds each mask keeps; from nearer, a few rays meet a
+     * neighbouring texel instead. Not thread-safe.
      */
     static final class BundleTexels {
         private static final int BEYOND = -1;
@@ -171,7 +171,8 @@ public final class SilhouetteArea {
         private int count;
         private double scale = Double.NaN;
 
-        // From infinitely far away. A new array for another size: masks keep the last one.
+        // The texels as seen from infinitely far away. Another size requires a new array, since masks keep the last
+        // one.
         private int[] far = new int[0];
         private double farScale = Double.NaN;
 

@@ -6,9 +6,9 @@ import java.util.stream.Stream;
 import org.dronewatch.world.SiteMemory;
 
 /**
- * The distances of a site in the image of one camera, tile by tile as far as they have been traced. Cameras on several
- * threads may share it: the first thread that needs a tile traces it, holding a lock, so that no other thread traces it
- * too. Thread-safe.
+ * The distances of a site in the image of one camera, kept in tiles, as far as they have been traced. Cameras on
+ * several threads may share it: the first thread that needs a tile traces it, holding a lock, so that no other thread
+ * traces it too. Thread-safe.
  */
 final class SiteImage implements SiteMemory.Kept {
     private static final int LOCKS = 64;
@@ -20,7 +20,7 @@ final class SiteImage implements SiteMemory.Kept {
     /**
      * An image of which nothing has been traced.
      *
-     * @param count number of its tiles
+     * @param count number of tiles of the image
      */
     SiteImage(int count) {
         this.tiles = new AtomicReferenceArray<>(count);
@@ -31,7 +31,10 @@ final class SiteImage implements SiteMemory.Kept {
         return tiles.length();
     }
 
-    /** The distances in a tile, m, row by row, infinity for none; null for a tile that has not been traced yet. */
+    /**
+     * The distances in a tile, m, row by row, infinity where the site is not in view; null for a tile that has not been
+     * traced yet.
+     */
     float[] tile(int number) {
         return tiles.get(number);
     }
@@ -48,7 +51,7 @@ final class SiteImage implements SiteMemory.Kept {
         return Float.BYTES * pixels.get();
     }
 
-    /** What to hold while a part of the image is traced, given by its number. */
+    /** The lock to hold while a part of the image, given by its number, is traced. */
     Object lock(int part) {
         return locks[part % LOCKS];
     }

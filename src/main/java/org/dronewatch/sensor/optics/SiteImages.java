@@ -3,8 +3,8 @@ package org.dronewatch.sensor.optics;
 import org.dronewatch.world.World;
 
 /**
- * The image of a camera in the last world that it was in: views of the same camera on several threads share it, and
- * those of a camera at rest also with other runs, where their worlds have a memory. Thread-safe.
+ * The image that a camera takes of the most recent world. Views of the same camera on several threads share this image;
+ * views of a camera at rest also share it with other runs, if the worlds of these runs share a cache. Thread-safe.
  */
 final class SiteImages {
     private final CameraObject camera;
@@ -13,9 +13,9 @@ final class SiteImages {
     private SiteImage image;
 
     /**
-     * A collection without images.
+     * A holder without an image.
      *
-     * @param atRest whether other runs are likely to have a camera of the same pose
+     * @param atRest whether other runs are likely to have a camera in the same pose
      */
     SiteImages(CameraObject camera, boolean atRest) {
         this.camera = camera;
@@ -23,9 +23,9 @@ final class SiteImages {
     }
 
     /**
-     * The image of a world; that of another one is forgotten.
+     * The image of a world; the image of any other world is forgotten.
      *
-     * @param tiles their number
+     * @param tiles number of tiles of the image
      */
     synchronized SiteImage of(World site, int tiles) {
         if (world != site) {

@@ -6,23 +6,25 @@ import org.dronewatch.raster.TileTracer;
 import org.dronewatch.world.World;
 
 /**
- * What a camera sees of the world without drones: a distance for each pixel, traced tile by tile when one of the tile's
- * pixels is first requested, and kept. For use by one thread at a time.
+ * A camera's view of the world without drones: a distance for each pixel. A tile is traced when one of its pixels is
+ * first requested, and is then kept. For use by one thread at a time.
  */
 final class StaticView implements Background {
-    /** Smaller than the tiles that a traversal allows: mostly only the few pixels behind a drone are requested. */
+    /**
+     * The width of a tile, smaller than a traversal allows: usually, only the few pixels behind a drone are requested.
+     */
     private static final int TILE_WIDTH = 32;
 
     private static final int TILE_HEIGHT = 32;
 
-    // Where all pixels are requested sooner or later, blocks of tiles take a third of the time.
+    // Where all pixels are requested sooner or later, tracing blocks of tiles takes a third of the time.
     private static final int BLOCK_COLUMNS = TileTracer.WIDTH / TILE_WIDTH;
     private static final int BLOCK_ROWS = TileTracer.HEIGHT / TILE_HEIGHT;
 
     private final CameraObject camera;
     private final World world;
 
-    /** Made when something is traced: a camera in a temporary pose often looks at nothing but the drone. */
+    /** Created when something is first traced: a camera in a temporary pose often looks at nothing but the drone. */
     private BlockTracer tracer;
 
     private final SiteImage image;
@@ -35,7 +37,7 @@ final class StaticView implements Background {
     /**
      * A view of a world.
      *
-     * @param images keep the tiles; views of the same camera may share them
+     * @param images keeps the tiles; views of the same camera may share it
      */
     StaticView(CameraObject camera, World world, SiteImages images) {
         this.camera = camera;
@@ -60,7 +62,7 @@ final class StaticView implements Background {
         return new BlockTracer(created, new float[TileTracer.WIDTH * TileTracer.HEIGHT]);
     }
 
-    /** The world that it shows. */
+    /** The world that this view shows. */
     World world() {
         return world;
     }
@@ -82,7 +84,10 @@ final class StaticView implements Background {
         return distances[row % TILE_HEIGHT * columns(left) + column - left];
     }
 
-    /** Threads that share the image wait for each other where they need the same part of it. */
+    /**
+     * The distances in a tile, traced if necessary. Threads that share the image wait for each other if they need the
+     * same part of it.
+     */
     private float[] traced(int tile) {
         int block = block(tile);
         synchronized (image.lock(block)) {
@@ -128,7 +133,7 @@ final class StaticView implements Background {
         }
     }
 
-    /** Traces neighbouring tiles at once. */
+    /** Traces neighbouring tiles together. */
     private void trace(BlockTracer own, int column, int row, int tileColumns, int tileRows) {
         int left = column * TILE_WIDTH;
         int top = row * TILE_HEIGHT;
@@ -149,7 +154,7 @@ final class StaticView implements Background {
         }
     }
 
-    /** What one thread traces with: also memory for the distances of a block, of which each tile takes a part. */
+    /** The tracer of one thread, with memory for the distances of a block, from which each tile takes its part. */
     private record BlockTracer(TileTracer tracer, float[] distances) {}
 
     private int columns(int left) {

@@ -17,10 +17,13 @@ import org.jogamp.vecmath.Matrix4d;
  * by one thread at a time.
  */
 public final class VisibleArea {
-    /** From one ray to the next that is traced: after a few, they are spread over the whole square. */
+    /**
+     * The step in number from one ray to the next that is traced: after a few steps, the rays are spread over the whole
+     * square.
+     */
     private static final int STRIDE = 377;
 
-    /** How much larger an area must be before it is asked again whether it is enough. */
+    /** The factor by which the area must grow before it is checked again whether it is enough. */
     private static final double MORE = 1.25;
 
     private static final DoublePredicate NEVER = area -> false;
@@ -30,7 +33,7 @@ public final class VisibleArea {
     private final Outline.Frustum outline;
     private final Matrix4d toModel = new Matrix4d();
 
-    /** What each ray adds to the area, pixels. */
+    /** The contribution of each ray to the area, pixels. */
     private final double[] parts = new double[RayBundle.RAYS];
 
     private boolean isObstructed;
@@ -40,7 +43,7 @@ public final class VisibleArea {
     private double fromY;
     private double fromZ;
 
-    // Of the drone that was traced last; null for none.
+    // The tracer of the drone that was traced last; null if there is none.
     private KDTree traced;
     private RayTracer tracer;
 
@@ -120,7 +123,7 @@ public final class VisibleArea {
             return 0.0;
         }
         if (range <= radius) {
-            // It sits on the lens, which a near plane keeps free, or on the back of the camera.
+            // The drone sits on the lens, which a near plane keeps clear, or on the back of the camera.
             return camera.near() > 0.0 || vector.dot(outline.forward()) < 0.0
                     ? 0.0
                     : (double) camera.width() * camera.height();
@@ -143,7 +146,7 @@ public final class VisibleArea {
                 asked = MORE * found;
             }
         }
-        // Always in the same order, whose rounding does not depend on that of tracing.
+        // Always added up in the same order, so that the rounding does not depend on the order of tracing.
         double area = 0.0;
         for (double part : parts) {
             area += part;
@@ -156,7 +159,7 @@ public final class VisibleArea {
         return number * STRIDE % RayBundle.RAYS;
     }
 
-    /** The tracer of a drone's own mesh, where it is. */
+    /** The tracer of a drone's own mesh, with the drone at its present position. */
     RayTracer tracer(Drone drone) {
         Position at = camera.position();
         Matrix4d m = toModel;
@@ -188,7 +191,10 @@ public final class VisibleArea {
         return isSeen;
     }
 
-    /** Whether a ray shows the drone, where a mask states something about that ray: only what is in doubt is traced. */
+    /**
+     * Whether a ray shows the drone, if a mask states something about that ray: the ray is traced only if the mask
+     * leaves it in doubt.
+     */
     private boolean seen(RayTracer model, int ray, boolean open, byte kind) {
         if (!open && isObstructed && bundle.isKnownHidden(ray)) {
             return false;

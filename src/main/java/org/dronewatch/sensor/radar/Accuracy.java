@@ -19,7 +19,7 @@ import org.dronewatch.setting.SettingsForm;
  * @param range standard deviation of the range, 0 to 1000 m
  * @param azimuth standard deviation of the bearing, 0 to pi/6, rad
  * @param elevation standard deviation of the elevation, 0 to pi/6, rad
- * @param measuresElevation whether it measures elevations at all; a radar with a fan beam does not, and assumes the
+ * @param measuresElevation whether the radar measures elevations at all; one with a fan beam does not, and assumes the
  *     elevation of its aim
  */
 public record Accuracy(
@@ -44,7 +44,7 @@ public record Accuracy(
     /**
      * The sighting that a radar with this accuracy reports of something at a given position.
      *
-     * @param middle elevation of its aim, rad
+     * @param middle elevation of the radar's aim, rad
      */
     Sighting sighting(Position radar, Position position, double middle, RandomGenerator random) {
         Position vector = position.minus(radar);

@@ -90,8 +90,8 @@ public record BeamPattern(
      * The gain in a direction relative to that on the axis, one way, dB; 0 or less.
      *
      * @param axis axis of the radar
-     * @param target what the beam is steered to, as far as it can be
-     * @param seen the direction
+     * @param target the direction towards which the beam is steered, as far as possible
+     * @param seen the direction in which the gain is sought
      */
     double gain(Direction axis, Direction target, Direction seen) {
         Direction centre = new Direction(
@@ -108,7 +108,7 @@ public record BeamPattern(
     }
 
     private double loss(Direction centre, Direction seen) {
-        // Exactly 0 where the beam is steered to what is seen; unit vectors would leave 1e-30 dB.
+        // Exactly 0 where the beam is steered in the direction that is seen; unit vectors would leave 1e-30 dB.
         return seen.equals(centre)
                 ? 0.0
                 : AntennaPattern.loss(centre.unit(), seen.unit(), azimuthBeamwidth, elevationBeamwidth, sideLobes);

@@ -4,14 +4,17 @@ import java.util.function.DoubleUnaryOperator;
 import org.dronewatch.world.World;
 
 /**
- * Radar cross-section of what competes with a drone in its resolution cell, and passes the radar's filters: of the
- * ground that is in sight in it, and of the rain that fills it. For use by one thread.
+ * The radar cross-section of the clutter that competes with a drone in its resolution cell and passes the radar's
+ * filters: the ground that is in sight in the cell, and the rain that fills it. For use by one thread.
  */
 final class ClutterEcho {
     /** Number of bearings, evenly spaced over the beamwidth, at which the ground is sampled. */
     private static final int BEARINGS = 5;
 
-    /** Fraction of the box of its beamwidths that a two-way Gaussian beam fills: pi / (8 ln 2) (Probert-Jones). */
+    /**
+     * The fraction that a two-way Gaussian beam fills of the box spanned by its two beamwidths: pi / (8 ln 2)
+     * (Probert-Jones).
+     */
     private static final double FILLED = Math.PI / (8.0 * Math.log(2.0));
 
     private final SurfaceReflectivity surface;
@@ -43,9 +46,9 @@ final class ClutterEcho {
     /**
      * The radar cross-section that is left after the filters, m2.
      *
-     * @param azimuth of the drone, clockwise from north, rad
-     * @param range of the drone, above 0, m
-     * @param pattern gain of the antenna at an elevation, both ways, relative to that towards the drone, as a ratio of
+     * @param azimuth azimuth of the drone, clockwise from north, rad
+     * @param range range of the drone, above 0, m
+     * @param pattern two-way gain of the antenna at an elevation, relative to that towards the drone, as a ratio of
      *     powers
      */
     double residue(double azimuth, double range, DoubleUnaryOperator pattern) {
@@ -59,7 +62,7 @@ final class ClutterEcho {
         return groundResidue * sum + rainByRangeSquared * range * range;
     }
 
-    /** What the ground in sight at one bearing contributes. */
+    /** The contribution of the ground that is in sight at one bearing. */
     private double seen(double range, DoubleUnaryOperator pattern) {
         double across = range * width / BEARINGS;
         double middle = 0.5 * (ground.low() + ground.high());

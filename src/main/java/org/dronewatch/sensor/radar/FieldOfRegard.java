@@ -7,7 +7,7 @@ import org.dronewatch.sensor.Cause;
 import org.dronewatch.sensor.Explanation;
 import org.dronewatch.sensor.Outline;
 
-/** Where and how fast a drone must be for a radar to look for it. */
+/** The limits of position and radial speed within which a radar looks for a drone. */
 final class FieldOfRegard {
     private final RadarSettings settings;
     private final Outline.Sector outline;
@@ -21,7 +21,7 @@ final class FieldOfRegard {
         this.fastest = settings.fastest();
     }
 
-    /** Whether a drone is within the angles and ranges. */
+    /** Whether a drone is within the limits of angle and range. */
     boolean contains(Position vector) {
         return outline.contains(vector);
     }
@@ -51,8 +51,8 @@ final class FieldOfRegard {
     }
 
     /**
-     * Whether a drone approaches or recedes fast enough to be separated from the ground, and not too fast; a notch
-     * decides for itself what is too slow.
+     * Whether a drone approaches or recedes fast enough to be separated from the ground, but not too fast; with a
+     * notch, no drone is too slow here, since the notch rejects slow drones itself.
      */
     boolean hasSpeed(double radial) {
         return Math.abs(radial) >= slowest && Math.abs(radial) <= fastest;

@@ -6,9 +6,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 
 /**
- * How reliably an echo is distinguished from noise if the target's cross-section is log-normally distributed from look
- * to look: {@code 10 lg(x) = spread z - (ln 10 / 20) spread^2} with a standard normal z, so that the mean of x is one
- * (3GPP TR 38.901, section 7.9.2.1). The probability is the mean of a steady target's over z. For use by one thread.
+ * The probability with which an echo is distinguished from noise if the target's cross-section is log-normally
+ * distributed from look to look: {@code 10 lg(x) = spread z - (ln 10 / 20) spread^2} with a standard normal z, so that
+ * the mean of x is one (3GPP TR 38.901, section 7.9.2.1). The probability of detection is that of a steady target,
+ * averaged over z. For use by one thread.
  *
  * <p>That mean is a sum at equal steps of z, which converges exponentially for so smooth a curve (L. N. Trefethen, J.
  * A. C. Weideman, SIAM Review 56, 2014). In units of the ratio, the steps are below the width of a steady target's
@@ -17,7 +18,7 @@ import org.dronewatch.drone.RadarSignature.Fluctuation;
 final class LogNormalEcho {
     private static final double WIDEST_STEP = 0.25;
 
-    /** dB. */
+    /** The greatest step of the cross-section, dB. */
     private static final double STEP = 1.0;
 
     /** Beyond this many standard deviations lies less than 1e-12 of the looks. */
@@ -25,7 +26,7 @@ final class LogNormalEcho {
 
     private static final double TOLERANCE_DB = 1e-10;
 
-    /** Ratios that were found: all cases of a campaign need the same few. */
+    /** The ratios found so far: all cases of a campaign need the same few. */
     private static final Map<Sought, Double> FOUND = new ConcurrentHashMap<>();
 
     private static final int MOST_FOUND = 1000;
@@ -35,11 +36,11 @@ final class LogNormalEcho {
     private final double[] excess;
     private final double[] weight;
 
-    /** What a ratio depends on. */
+    /** The quantities on which a required ratio depends. */
     private record Sought(double falseAlarm, int pulses, double spread, double probability) {}
 
     /**
-     * @param detector which adds up the pulses
+     * @param detector the detector that adds up the pulses
      * @param spread standard deviation of the cross-section in decibels, above 0 and at most 20 dB
      */
     LogNormalEcho(SquareLawDetector detector, double spread) {
@@ -63,7 +64,7 @@ final class LogNormalEcho {
     /**
      * The excess of the cross-section of a look over the mean, dB.
      *
-     * @param z normally distributed, mean 0, standard deviation 1
+     * @param z a standard normal variable: mean 0, standard deviation 1
      */
     double excess(double z) {
         return spread * z - Math.log(10.0) / 20.0 * spread * spread;
@@ -72,7 +73,7 @@ final class LogNormalEcho {
     /**
      * Probability that a look detects a target.
      *
-     * @param signalToNoise of one pulse, the mean over the distribution, dB
+     * @param signalToNoise signal-to-noise ratio of one pulse, the mean over the distribution, dB
      */
     double probability(double signalToNoise) {
         double sum = 0.0;
@@ -85,7 +86,7 @@ final class LogNormalEcho {
     /**
      * Signal-to-noise ratio that each pulse needs on average, dB, by bisection.
      *
-     * @param probability of detection, above that of a false alarm and below 1
+     * @param probability probability of detection, above that of a false alarm and below 1
      */
     double required(double probability) {
         Sought sought = new Sought(detector.falseAlarm(), detector.pulses(), spread, probability);

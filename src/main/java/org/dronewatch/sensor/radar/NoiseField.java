@@ -7,8 +7,8 @@ import org.dronewatch.positioner.Sighting;
 import org.dronewatch.sensor.Outline;
 
 /**
- * Where a radar takes noise for a target: its cells are equally deep, equally wide in azimuth, and of equal solid
- * angle.
+ * The positions at which a radar mistakes noise for a target: its cells are equally deep, equally wide in azimuth, and
+ * of equal solid angle.
  */
 final class NoiseField {
     private final Position radar;

@@ -14,7 +14,9 @@ import org.dronewatch.setting.Quantity;
 
 /** Warnings about settings of a radar that contradict each other. */
 final class RadarAdvice {
-    /** A threshold may differ by this much from what a data sheet implies: by half a percent of the range, dB. */
+    /**
+     * The amount by which a threshold may differ from that implied by a data sheet, dB: half a percent of the range.
+     */
     private static final double TOLERANCE = 0.1;
 
     private RadarAdvice() {}
@@ -42,7 +44,10 @@ final class RadarAdvice {
         return budget instanceof Hardware hardware ? OptionalDouble.of(hardware.gain()) : budget.lowerGain();
     }
 
-    /** A scan that dwells in each position for all its pulses, each of which takes a whole integration time. */
+    /**
+     * The warning about a scan that is too fast for its beams: the beam must dwell in each position for all pulses,
+     * each of which takes a whole integration time.
+     */
     private static Optional<String> scan(RadarSettings radar) {
         OptionalDouble positions = radar.cells().beams(radar.budget().lowerGain());
         OptionalDouble integration = radar.budget().dwell();
@@ -80,7 +85,10 @@ final class RadarAdvice {
                         Quantity.LEVEL.inBrief(radar.budget().lowerGain().orElseThrow()), Counted.of(beams, "beam")));
     }
 
-    /** The range of a data sheet is that of its probability of detection, whatever a fixed threshold is set to. */
+    /**
+     * The warning about a fixed threshold that does not give the range of the data sheet: that range holds for the data
+     * sheet's probability of detection, whatever the threshold.
+     */
     private static Optional<String> threshold(RadarSettings radar) {
         if (!(radar.budget() instanceof DataSheet sheet) || !(radar.detection() instanceof FixedThreshold fixed)) {
             return Optional.empty();

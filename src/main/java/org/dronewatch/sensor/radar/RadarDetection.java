@@ -151,7 +151,7 @@ public sealed interface RadarDetection {
             @In(value = Quantity.NUMBER, from = 1, to = 1000) int pulses)
             implements RadarDetection {
         /**
-         * Signal-to-noise ratio below which a drone counts as having no echo, dB: noise alone may be taken for a
+         * Signal-to-noise ratio below which a drone counts as having no echo, dB: noise alone may be mistaken for a
          * target, but does not count as a detection of such a drone.
          */
         private static final double FAINTEST = -100.0;
@@ -174,8 +174,7 @@ public sealed interface RadarDetection {
             return new Decision() {
                 @Override
                 public double threshold(RandomGenerator random) {
-                    // 1 - u is above 0, so that the ratio is finite at that end, too; below 1 by as much as u can be
-                    // small.
+                    // 1 - u is above 0, so that the ratio is finite at that end, too; the minimum keeps it below 1.
                     double probability = Math.min(1.0 - 1e-9, 1.0 - random.nextDouble());
                     return Math.max(FAINTEST, detector.required(probability, fluctuation));
                 }

@@ -11,18 +11,18 @@ import org.dronewatch.world.Obstacle;
 import org.dronewatch.world.World;
 
 /**
- * The strength of the echoes that a radar receives from drones in a world, and of what competes with them. For use by
- * one thread.
+ * The strength of the echoes that a radar receives from drones in a world, and of the clutter that competes with them.
+ * For use by one thread.
  */
 final class RadarEcho {
     /**
      * What a radar receives from a drone.
      *
      * @param signal signal-to-noise ratio of its echo before the notch, dB; minus infinity without an echo
-     * @param passed what the notch lets pass of it, 0 dB or less
+     * @param passed gain of the notch for this echo, 0 dB or less
      * @param clutter ratio of the clutter after the filters to the noise, dB; minus infinity without clutter
-     * @param groundReflection what the reflection from the ground contributes to the signal, both ways, dB
-     * @param edgeLoss what the edges of the site take from it, both ways, dB
+     * @param groundReflection contribution of the reflection from the ground to the signal, both ways, dB
+     * @param edgeLoss loss of the signal at the edges of the site, both ways, dB
      */
     record Received(double signal, double passed, double clutter, double groundReflection, double edgeLoss) {
         private static final Received NOTHING =
@@ -74,7 +74,7 @@ final class RadarEcho {
     /**
      * The echo of a drone.
      *
-     * @param area its visible cross-section, m2; 0 for none
+     * @param area its visible cross-section, m2; 0 if none is visible
      */
     Received of(Drone drone, double area) {
         return area == 0.0 ? Received.NOTHING : received(drone, area, edgeLoss(drone));
@@ -89,7 +89,7 @@ final class RadarEcho {
         return received(drone, area, 0.0);
     }
 
-    /** What is received, with the attenuation by rain both ways: the echo of the drone and of the clutter beside it. */
+    /** The echoes of a drone and of the clutter in its resolution cell, with the attenuation by rain both ways. */
     private Received received(Drone drone, double area, double loss) {
         double range = range(drone);
         double reflection = groundReflection(drone);
@@ -102,8 +102,8 @@ final class RadarEcho {
     }
 
     /**
-     * What the notch lets pass of a drone's echo, dB: for its body depending on radial speed; its turning rotors pass
-     * in full.
+     * The gain of the notch for a drone's echo, dB, 0 or less: it depends on radial speed for the body, while the echo
+     * of the turning rotors passes in full.
      */
     private double passed(Drone drone) {
         if (settings.notch().isEmpty()) {
@@ -115,9 +115,9 @@ final class RadarEcho {
     }
 
     /**
-     * The response of the notch that a drone needs.
+     * The response of the notch that a drone needs in order to be detected.
      *
-     * @param decibels by how much its echo may be weaker, 0 dB or less
+     * @param decibels gain of the notch at which its echo is just strong enough, 0 dB or less
      */
     double neededResponse(Drone drone, double decibels) {
         double rotors = rotorFraction(drone);
@@ -146,7 +146,7 @@ final class RadarEcho {
         return Math.max(drone.origin().distance(settings.position()), Double.MIN_NORMAL);
     }
 
-    /** Attenuation by rain on the way to a drone and back, dB. */
+    /** Attenuation by rain on the path to a drone and back, dB. */
     private double rainLoss(Drone drone, double range) {
         double up = drone.origin().minus(settings.position()).z() / range;
         double elevation = Math.asin(Math.max(-1.0, Math.min(1.0, up)));
@@ -166,12 +166,14 @@ final class RadarEcho {
                 .orElse(0.0);
     }
 
-    /** The model whose edge obstructs most of the way to a drone; empty where none does, or no edges count. */
+    /** The model whose edge obstructs the path to a drone most; empty where none does, or where edges do not count. */
     Optional<Obstacle> obstacle(Drone drone) {
         return edges.flatMap(path -> path.obstacle(drone.origin(), settings.position(), settings.frequency()));
     }
 
-    /** What the reflection from the ground adds to the echo, both ways, dB; 0 unless it is set. */
+    /**
+     * The change in the echo due to the reflection from the ground, both ways, dB; 0 unless a reflecting ground is set.
+     */
     private double groundReflection(Drone drone) {
         return rays.map(two -> 2.0
                         * two.weighted(

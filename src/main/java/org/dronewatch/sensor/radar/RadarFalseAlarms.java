@@ -54,8 +54,8 @@ public record RadarFalseAlarms(
      * The rate of a radar.
      *
      * @param scans scans per second, Hz
-     * @throws IllegalArgumentException when probability or cells are neither set nor follow from the radar's other
-     *     settings
+     * @throws IllegalArgumentException when the probability or the number of cells is not set and does not follow from
+     *     the radar's other settings
      */
     FalseAlarmRate rate(ResolutionCells scan, LinkBudget budget, RadarDetection detection, double scans) {
         double all = cells(scan, budget);

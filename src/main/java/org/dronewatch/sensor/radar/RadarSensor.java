@@ -89,7 +89,8 @@ public final class RadarSensor implements AssessableSensor {
     }
 
     /**
-     * A drone that would be detected if the notch let all of its echo pass is too slow for it, or has a blind speed.
+     * The explanation for a drone that would be detected if the notch let all of its echo pass: it is too slow for the
+     * notch, or flies at a blind speed. Empty otherwise.
      */
     private Optional<Explanation> notched(Drone drone) {
         if (settings.notch().isEmpty()) {
@@ -104,7 +105,10 @@ public final class RadarSensor implements AssessableSensor {
         return Optional.of(settings.notch().get().miss(field.radialSpeed(drone), needed));
     }
 
-    /** Where waves go around edges, a drone is hidden only if it would be detected without their loss. */
+    /**
+     * The explanation if waves are diffracted around edges: a drone is hidden only if it would be detected without the
+     * loss at the edges.
+     */
     private Explanation explainShadow(Drone drone) {
         if (!isDetectedInTheOpen(drone)) {
             return Explanation.of(Cause.TOO_WEAK);
@@ -120,7 +124,10 @@ public final class RadarSensor implements AssessableSensor {
         return echo >= decision(drone).evenThreshold();
     }
 
-    /** The rule by which echoes of a drone are detected; kept, since it takes long to prepare if chance decides. */
+    /**
+     * The rule by which echoes of a drone are detected. It is kept for reuse, since it takes long to prepare if chance
+     * decides.
+     */
     private Decision decision(Drone drone) {
         return decisions.computeIfAbsent(drone.settings().radar(), settings.detection()::on);
     }
@@ -166,7 +173,7 @@ public final class RadarSensor implements AssessableSensor {
                 sighting);
     }
 
-    /** What the settings ask for beyond the bare echo. */
+    /** Adds the figures of those effects beyond the bare echo that the settings include. */
     private void addFigures(Map<String, Double> figures, Drone drone, Received received) {
         if (settings.beam().isPresent()) {
             figures.put("beam_gain_db", echoes.beamGain(drone));
@@ -192,7 +199,7 @@ public final class RadarSensor implements AssessableSensor {
                 .sighting(settings.position(), drone.origin(), echoes.axis().elevation(), random);
     }
 
-    /** Where the radar is, clockwise from the drone's nose as seen from above. */
+    /** The bearing of the radar relative to the drone's nose, clockwise as seen from above, rad. */
     private double aspect(Drone drone) {
         Position seen = drone.toModel(settings.position());
         return Math.atan2(seen.x(), seen.y());

@@ -57,8 +57,8 @@ import org.dronewatch.world.World;
  * @param clutter echoes from the ground and from rain that compete with those of drones; none by default. It needs a
  *     beam, whose azimuthBeamwidth is the width of a resolution cell
  * @param notch a Doppler filter that rejects stationary echoes, in place of minSpeed; none by default
- * @param falseAlarms how often noise exceeds its threshold; unless set, the rate is unknown, and no false alarms are
- *     simulated
+ * @param falseAlarms how often noise exceeds the radar's threshold; unless set, the rate is unknown, and no false
+ *     alarms are simulated
  */
 public record RadarSettings(
         Position position,
@@ -150,12 +150,15 @@ public record RadarSettings(
                 azimuthWidth, elevationWidth, minRange, maxRange, slowest(), maxSpeed, frequency, beam);
     }
 
-    /** The least radial speed that it looks at, m/s: with a notch, which decides for itself what is too slow, any. */
+    /**
+     * The least radial speed at which the radar looks for drones, m/s: 0 with a notch, which rejects slow drones
+     * itself.
+     */
     double slowest() {
         return notch.isPresent() ? 0.0 : minSpeed;
     }
 
-    /** The greatest radial speed that it looks at, m/s. */
+    /** The greatest radial speed at which the radar looks for drones, m/s. */
     double fastest() {
         return Math.min(maxSpeed, budget.migrationSpeed());
     }
@@ -168,7 +171,7 @@ public record RadarSettings(
     }
 
     private static void checkTilt(double tilt, double most) {
-        // An aim at a point may lie at the limit but for rounding.
+        // Apart from rounding, an aim at a point may lie exactly at the limit.
         if (Math.abs(tilt) > most + 1e-9) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,

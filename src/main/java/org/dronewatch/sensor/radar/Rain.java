@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radar;
 import org.dronewatch.setting.Check;
 import org.dronewatch.setting.Quantity;
 
-/** Attenuation of a wave by rain, Recommendation ITU-R P.838-3 (2005), and backscatter by rain. */
+/** Attenuation of a wave by rain (Recommendation ITU-R P.838-3, 2005), and backscatter by rain. */
 public final class Rain {
     private static final double LEAST_FREQUENCY = 1e9;
     private static final double MAX_FREQUENCY = 1000e9;
@@ -95,7 +95,9 @@ public final class Rain {
         return Math.pow(Math.PI, 5) * WATER * z / (wavelength * wavelength * wavelength * wavelength);
     }
 
-    /** Equations (2) and (3): a straight line and Gaussian curves over the logarithm of the frequency in GHz. */
+    /**
+     * Equations (2) and (3): the sum of a straight line and Gaussian curves in the logarithm of the frequency in GHz.
+     */
     private record Fit(double[] heights, double[] centres, double[] widths, double slope, double constant) {
         double at(double x) {
             double sum = slope * x + constant;

@@ -4,16 +4,17 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * The cells on which a radar decides in each scan, as far as they follow from its settings.
+ * The resolution cells for which a radar decides in each scan whether they contain a target, as far as these cells
+ * follow from its settings.
  *
- * @param azimuthWidth of its field of view, rad
- * @param elevationWidth of its field of view, rad
- * @param minRange m
- * @param maxRange m
+ * @param azimuthWidth horizontal width of the field of view, rad
+ * @param elevationWidth vertical width of the field of view, rad
+ * @param minRange minimum range, m
+ * @param maxRange maximum range, m
  * @param minSpeed least radial speed, m/s
  * @param maxSpeed greatest radial speed, m/s
  * @param frequency carrier frequency, Hz
- * @param beam its shape; without one the gain of the antenna gives the number of beams
+ * @param beam shape of the beam; without one, the gain of the antenna gives the number of beams
  */
 record ResolutionCells(
         double azimuthWidth,
@@ -26,20 +27,20 @@ record ResolutionCells(
         Optional<BeamPattern> beam) {
     private static final double LIGHT = 299_792_458.0;
 
-    /** How many there are with a hardware budget: range cells times beams times Doppler cells. */
+    /** The number of cells with a hardware budget: range cells times beams times Doppler cells. */
     double count(LinkBudget.Hardware hardware) {
         return rangeCells(hardware) * beams(hardware.lowerGain()).orElseThrow() * dopplerCells(hardware);
     }
 
-    /** Cells of {@code c / 2B} each between the least and the greatest range. */
+    /** The number of range cells between the least and the greatest range, each {@code c / 2B} deep. */
     double rangeCells(LinkBudget.Hardware hardware) {
         return whole((maxRange - minRange) * 2.0 * hardware.sweepBandwidth() / LIGHT);
     }
 
     /**
-     * Positions of the beam in a scan: as many as fill the field of view.
+     * The number of positions of the beam in a scan: as many as fill the field of view.
      *
-     * @param gain that of the narrower antenna, dBi, which gives their number where there is no beam
+     * @param gain gain of the antenna with the lower gain, dBi, which gives their number if no beam is stated
      * @return empty with neither a beam nor a gain
      */
     OptionalDouble beams(OptionalDouble gain) {
@@ -62,7 +63,10 @@ record ResolutionCells(
         };
     }
 
-    /** Cells of {@code lambda / 2T} each between the least and the greatest radial speed, approaching and receding. */
+    /**
+     * The number of Doppler cells between the least and the greatest radial speed, approaching and receding, each
+     * {@code lambda / 2T} wide.
+     */
     double dopplerCells(LinkBudget.Hardware hardware) {
         double fastest = Math.min(maxSpeed, hardware.migrationSpeed());
         double cell = LIGHT / frequency / (2.0 * hardware.integrationTime());

@@ -5,17 +5,18 @@ import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.sensor.Reading;
 
 /**
- * How reliably a square-law detector that adds up a number of pulses distinguishes an echo from noise: exact sums for
- * steady targets and Swerling's four cases. Signal-to-noise ratios are those of one pulse. Immutable.
+ * A square-law detector that adds up a number of pulses, and the probability with which it distinguishes an echo from
+ * noise: exact sums for steady targets and Swerling's four cases. Signal-to-noise ratios are those of one pulse.
+ * Immutable.
  *
- * <p>The sum of N pulses, in units of the mean noise of one, exceeds a threshold T for noise alone with the probability
- * {@code Q(N, T)}, the chance that a Poisson variable of mean T stays below N. With an echo it exceeds it with the
- * probability {@code sum over k of w(k) Q(N + k, T)}, where w is the Poisson distribution of mean {@code N S} for a
- * steady target (the noncentral chi-square distribution; Marcum's Q function for N = 1), and for a cross-section with
- * the gamma distribution of shape K the negative binomial distribution with that mean: K = 1, N, 2, 2 N in Swerling's
- * cases 1 to 4 (D. A. Shnidman, "Radar detection probabilities and their calculation", IEEE Transactions on Aerospace
- * and Electronic Systems 31, 1995). All terms are positive. From some k on, Q is one, and what remains is the rest of
- * the weights.
+ * <p>For noise alone, the sum of N pulses, in units of the mean noise of one, exceeds a threshold T with the
+ * probability {@code Q(N, T)}, the probability that a Poisson variable of mean T is below N. With an echo of the
+ * signal-to-noise ratio S, it does so with the probability {@code sum over k of w(k) Q(N + k, T)}. For a steady target,
+ * w is the Poisson distribution of mean {@code N S} (the noncentral chi-square distribution; Marcum's Q function for N
+ * = 1); for a cross-section with the gamma distribution of shape K, w is the negative binomial distribution with that
+ * mean, where K = 1, N, 2, 2 N in Swerling's cases 1 to 4 (D. A. Shnidman, "Radar detection probabilities and their
+ * calculation", IEEE Transactions on Aerospace and Electronic Systems 31, 1995). All terms are positive. From some k
+ * on, Q is one, and the remaining terms add up to the rest of the weights.
  */
 final class SquareLawDetector {
     /** The largest number of pulses. */
@@ -23,7 +24,10 @@ final class SquareLawDetector {
 
     private static final double NEGLIGIBLE = 1e-18;
 
-    /** Enough for twice the largest number of pulses and all terms at one false alarm in 1e12. */
+    /**
+     * The logarithms of factorials: enough for twice the largest number of pulses and for all terms at a probability of
+     * false alarm of 1e-12.
+     */
     private static final double[] LOG_FACTORIAL = logFactorials(4096);
 
     private static final double NEAREST_TO_ONE = 1.0 - 1e-16;
@@ -38,7 +42,7 @@ final class SquareLawDetector {
 
     /**
      * @param falseAlarm probability that noise alone exceeds the threshold, 1e-12 to 0.01
-     * @param pulses how many are added up, 1 to {@link #MAX_PULSES}
+     * @param pulses number of pulses that are added up, 1 to {@link #MAX_PULSES}
      */
     SquareLawDetector(double falseAlarm, int pulses) {
         this.falseAlarm = falseAlarm;
@@ -72,7 +76,8 @@ final class SquareLawDetector {
     /**
      * Probability that the sum exceeds the threshold.
      *
-     * @param signalToNoise of one pulse, the mean over the fluctuation, dB; minus infinity for noise alone
+     * @param signalToNoise signal-to-noise ratio of one pulse, the mean over the fluctuation, dB; minus infinity for
+     *     noise alone
      */
     double probability(double signalToNoise, Fluctuation fluctuation) {
         double mean = pulses * Math.pow(10.0, 0.1 * signalToNoise);
@@ -95,9 +100,9 @@ final class SquareLawDetector {
     }
 
     /**
-     * Noise alone that exceeds the threshold, as a mean over the pulses in units of the mean noise of one, dB. Beyond
-     * the threshold its distribution is exponential: exactly for one pulse, nearly for several, with the decay at the
-     * threshold.
+     * The reading of noise alone that exceeds the threshold: the mean over the pulses in units of the mean noise of
+     * one, dB. Beyond the threshold, its distribution is exponential, with the rate of decay at the threshold: exactly
+     * for one pulse, nearly so for several.
      *
      * @param excess 0 or more, exponentially distributed with mean 1
      */
@@ -109,7 +114,7 @@ final class SquareLawDetector {
         return new Reading(Math.max(least, value), least, RadarDetection.DECIBELS);
     }
 
-    /** Shape of the gamma distribution of the sum's cross-section; 0 for a steady target. */
+    /** The shape K of the gamma distribution of the cross-section, for the sum of all pulses; 0 for a steady target. */
     private int shape(Fluctuation fluctuation) {
         return switch (fluctuation) {
             case STEADY -> 0;
@@ -123,7 +128,8 @@ final class SquareLawDetector {
     /**
      * The sum over the weights, from the largest one up and down, so that none of them underflows.
      *
-     * @param factor mean of the Poisson distribution, or what remains of one in the negative binomial distribution
+     * @param factor mean of the Poisson distribution, or one minus the success probability of the negative binomial
+     *     distribution
      * @param logFirst logarithm of the first weight
      * @param logFactor logarithm of the factor
      */
@@ -134,7 +140,7 @@ final class SquareLawDetector {
         double ways = steady ? 0.0 : LOG_FACTORIAL[k + start - 1] - LOG_FACTORIAL[k - 1];
         double largest = Math.exp(logFirst + start * logFactor + ways - LOG_FACTORIAL[start]);
         if (largest == 0.0) {
-            // All weight lies where Q is one.
+            // All of the weight lies where Q is one.
             return 1.0;
         }
         double weights = 0.0;
@@ -160,7 +166,7 @@ final class SquareLawDetector {
     /**
      * Signal-to-noise ratio that each pulse needs, dB; minus infinity for a probability that noise alone reaches.
      *
-     * @param probability of detection, above 0 and below 1
+     * @param probability probability of detection, above 0 and below 1
      */
     double required(double probability, Fluctuation fluctuation) {
         if (probability <= falseAlarm) {
@@ -189,7 +195,10 @@ final class SquareLawDetector {
         return root(low, below, high, above, goal, fluctuation);
     }
 
-    /** By Ridders' method (IEEE Transactions on Circuits and Systems 26, 1979): the root between two ratios, dB. */
+    /**
+     * The ratio between two others at which the log-odds reach the goal, dB, by Ridders' method (IEEE Transactions on
+     * Circuits and Systems 26, 1979).
+     */
     private double root(double from, double atFrom, double to, double atTo, double goal, Fluctuation fluctuation) {
         double low = from;
         double below = atFrom;
@@ -227,15 +236,18 @@ final class SquareLawDetector {
         return found;
     }
 
-    /** Nearly linear in the ratio in dB, and steep where the probability itself is flat. */
+    /**
+     * The log-odds of a probability, which are nearly linear in the ratio in dB, and steep where the probability itself
+     * is flat.
+     */
     private static double logOdds(double probability) {
         double p = Math.min(NEAREST_TO_ONE, probability);
         return Math.log(p / (1.0 - p));
     }
 
     /**
-     * Where {@code Q(pulses, T)} is the false-alarm probability: by Newton's method on its logarithm, which is concave,
-     * so that the second and all later steps come from above.
+     * The threshold T at which {@code Q(pulses, T)} is the probability of a false alarm, by Newton's method on the
+     * logarithm of Q, which is concave, so that the second and all later steps come from above.
      */
     private static double threshold(double falseAlarm, int pulses) {
         if (pulses == 1) {
@@ -260,7 +272,7 @@ final class SquareLawDetector {
         return t;
     }
 
-    /** Probability that a Poisson variable of mean T is the number of pulses less one. */
+    /** The probability that a Poisson variable of mean T equals the number of pulses minus one. */
     private static double lastTerm(double threshold, int pulses) {
         return Math.exp((pulses - 1) * Math.log(threshold) - threshold - LOG_FACTORIAL[pulses - 1]);
     }

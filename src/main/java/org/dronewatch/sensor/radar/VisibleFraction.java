@@ -7,8 +7,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * How much of a drone is visible from a position: the fraction of nine points of its box, the middle and half-way to
- * each corner, to which nothing in the world obstructs the line of sight.
+ * The fraction of a drone that is visible from a position: of nine points in its bounding box, the centre and the eight
+ * points half-way to the corners, the fraction to which nothing in the world obstructs the line of sight.
  */
 final class VisibleFraction {
     private static final int POINTS = 9;
@@ -27,7 +27,7 @@ final class VisibleFraction {
         AABB box = drone.modelBounds();
         int visible = 0;
         for (int i = 0; i < POINTS; i++) {
-            // The last of the points is the middle.
+            // The last of the points is the centre.
             double reach = i == POINTS - 1 ? 0.0 : HALF_WAY;
             Position point = new Position(
                     between(box.minX(), box.maxX(), (i & 1) == 0 ? -reach : reach),

@@ -7,17 +7,17 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * What a radar sees of the surface of a site between two ranges at a bearing: the elevations from the skyline of all
- * that lies within the nearer range up to that within the farther one. What lies in the shadow of something nearer is
- * thus left out, slopes and walls count to the extent that they face the radar, and the only assumption about the mesh
- * is that everything below a skyline is blocked: no radar looks through under a bridge. Allocates nothing but what
- * {@link Ground} returns. For use by one thread.
+ * The part of the surface of a site that a radar sees between two ranges at a bearing: the elevations from the skyline
+ * of everything within the nearer range up to the skyline of everything within the farther one. So anything in the
+ * shadow of something nearer is left out, and slopes and walls count to the extent that they face the radar. The only
+ * assumption about the mesh is that everything below a skyline is blocked: no radar looks under a bridge. Allocates
+ * nothing but what {@link Ground} returns. For use by one thread.
  */
 final class VisibleGround {
-    /** Elevations are found to this fraction of what the cell fills if nothing hides it. */
+    /** The precision of elevations, as a fraction of the angle that the cell fills if nothing hides it. */
     private static final double PRECISION = 1e-3;
 
-    /** rad. */
+    /** The finest precision of elevations, rad. */
     private static final double FINEST = 1e-9;
 
     private static final double STRAIGHT_UP = 0.5 * Math.PI;
@@ -25,7 +25,7 @@ final class VisibleGround {
     /** The first step of a search away from a guess, rad. */
     private static final double FIRST_STEP = 1e-3;
 
-    /** Enough for the ground at a range to settle. */
+    /** The number of iterations: enough for the elevation of the ground at a range to converge. */
     private static final int STEPS = 8;
 
     private static final double SETTLED = 1e-9;
@@ -50,9 +50,9 @@ final class VisibleGround {
     /**
      * Looks at a bearing.
      *
-     * @param azimuth clockwise from north, rad
-     * @param near where the range cell begins, m; at the radar itself if 0 or less
-     * @param far where it ends, above 0, m
+     * @param azimuth azimuth of the bearing, clockwise from north, rad
+     * @param near range at which the range cell begins, m; it begins at the radar itself if this is 0 or less
+     * @param far range at which it ends, above 0, m
      * @return whether some of the surface in the cell is in sight, between the elevations {@link #low} and
      *     {@link #high}
      */
@@ -76,7 +76,7 @@ final class VisibleGround {
         return low;
     }
 
-    /** The highest one, rad. */
+    /** The highest elevation at which it is in sight, rad. */
     double high() {
         return high;
     }
@@ -84,8 +84,8 @@ final class VisibleGround {
     /**
      * The highest elevation at which something within a range blocks the view, rad.
      *
-     * @param guess where it is if nothing nearer is in the way; NaN if unknown
-     * @param floor not below this elevation
+     * @param guess the skyline if nothing nearer is in the way, rad; NaN if unknown
+     * @param floor lower limit of the result, rad
      */
     private double skyline(double range, double guess, double floor) {
         double first = Double.isNaN(guess) ? floor : Math.max(floor, guess);
@@ -145,7 +145,7 @@ final class VisibleGround {
                 radar.x(), radar.y(), radar.z(), level * east, level * north, Math.sin(elevation), range);
     }
 
-    /** The elevation of the highest surface at a range, rad; not a number where there is none. */
+    /** The elevation of the highest surface at a range, rad; NaN where there is none. */
     private double elevation(double range) {
         double level = range;
         double rise = 0.0;

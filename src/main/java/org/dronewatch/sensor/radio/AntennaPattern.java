@@ -85,7 +85,7 @@ public record AntennaPattern(
             Position axis, Position seen, double azimuthBeamwidth, double elevationBeamwidth, double sideLobes) {
         double level = Math.hypot(axis.x(), axis.y());
         double length = axis.length();
-        // Straight up or down, north is used as the azimuth, as in Aim.Direction.
+        // For a direction straight up or down, north is used as the azimuth, as in Aim.Direction.
         double east = level > 0.0 ? axis.x() / level : 0.0;
         double north = level > 0.0 ? axis.y() / level : 1.0;
         double ahead = seen.x() * east + seen.y() * north;

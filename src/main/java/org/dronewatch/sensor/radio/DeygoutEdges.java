@@ -5,19 +5,22 @@ import java.util.function.IntPredicate;
 
 /**
  * Deygout's construction for three edges (J. Deygout, "Multiple knife-edge diffraction of microwaves", IEEE
- * Transactions on Antennas and Propagation 14, 1966; without a correction): the edge that obstructs the line most, and
- * on either side of it the one that obstructs the line from its top most.
+ * Transactions on Antennas and Propagation 14, 1966; without a correction): the main edge, which obstructs the line
+ * most, and on either side of it the edge that most obstructs the line from the top of the main edge to that end.
  */
 final class DeygoutEdges {
-    /** Edges this near to each other, in wavelengths, are one; the construction would count it twice. */
+    /**
+     * Edges no farther apart than this, in wavelengths, count as one edge, which the construction would otherwise count
+     * twice.
+     */
     private static final double ONE_EDGE = 5.0;
 
     /** From this distance on, in wavelengths, the second edge counts in full. */
     private static final double TWO_EDGES = 50.0;
 
     /**
-     * From this loss on, which is that of an edge that the line just touches, dB, the other edges count in full; they
-     * fade in up to it.
+     * The loss of an edge that the line just touches, dB. If the main edge has at least this loss, the other edges
+     * count in full; below it, they count in proportion.
      */
     private static final double GRAZING = KnifeEdge.loss(0.0);
 
@@ -30,8 +33,8 @@ final class DeygoutEdges {
 
     /**
      * @param section the section with its obstacles
-     * @param above on which side of the line: that of positive t, or the other
-     * @param wavelength m
+     * @param above whether the edges on the side of positive t count, or those on the other side
+     * @param wavelength wavelength, m
      * @param isEdge whether a point of the section is an edge; asked only where that would change the loss
      */
     DeygoutEdges(Section section, boolean above, double wavelength, IntPredicate isEdge) {
@@ -67,7 +70,7 @@ final class DeygoutEdges {
         return most + Math.min(1.0, most / GRAZING) * (beside + beyond);
     }
 
-    /** Finds the edge with the greatest loss, the first among equals; that loss, dB. */
+    /** Finds the edge with the greatest loss, the first among equals, and returns that loss, dB. */
     private double findMain(double[] start, double[] end) {
         double most = 0.0;
         for (int i = 0; i < section.points(); i++) {
@@ -81,12 +84,12 @@ final class DeygoutEdges {
         return most;
     }
 
-    /** The point of the edge that obstructs most, after {@link #loss}; -1 for none. */
+    /** The point of the edge that obstructs the line most, known after {@link #loss}; -1 for none. */
     int mainPoint() {
         return mainPoint;
     }
 
-    /** Where that edge is: u and t towards this side, m; null if there is none. */
+    /** The coordinates of that edge: u, and t counted positive towards this side, m; null if there is none. */
     double[] main() {
         return mainPoint < 0 ? null : edge(mainPoint);
     }
@@ -103,7 +106,7 @@ final class DeygoutEdges {
         return new double[] {section.u(point), height(point)};
     }
 
-    /** The loss of a wave between two points by an edge, dB. */
+    /** The loss at an edge of a wave between two points, dB. */
     private double edgeLoss(double[] from, double[] to, int point) {
         double du = to[0] - from[0];
         double dt = to[1] - from[1];

@@ -15,7 +15,10 @@ final class DiffractedPath {
 
     private static final double ON_CHAIN = 1e-9;
 
-    /** An edge counts up to 0.55 wavelengths below a line at its antennas, and nowhere by a longer detour than this. */
+    /**
+     * An edge at an antenna counts down to 0.55 wavelengths below the line, and no edge counts at a longer detour than
+     * this, in wavelengths.
+     */
     private static final double LOWEST = 0.55;
 
     private static final double LONGEST = 2.0;
@@ -32,10 +35,10 @@ final class DiffractedPath {
 
     /**
      * @param section the section with its obstacles
-     * @param above on which side of the line: that of positive t, or the other
-     * @param wavelength m
-     * @param isAll whether the section is as large as it gets: otherwise, the loss of a path that is not {@linkplain
-     *     #isSettled settled} is not computed
+     * @param above whether the path leads around on the side of positive t, or on the other side
+     * @param wavelength wavelength, m
+     * @param isAll whether the section will not be enlarged any further: otherwise, the loss of a path that is not
+     *     {@linkplain #isSettled settled} is not computed
      */
     DiffractedPath(Section section, boolean above, double wavelength, boolean isAll) {
         this.section = section;
@@ -49,7 +52,7 @@ final class DiffractedPath {
      * Whether the loss is the same in every larger part of the site: all bodies around which the string is drawn are
      * complete, or go on beyond an end of the line, and no corner outside can be an edge that counts.
      *
-     * @param sum of the distances of a point on the boundary of this part from both ends, m
+     * @param sum sum of the distances of a point on the boundary of this part from both ends, m
      */
     boolean isSettled(double sum) {
         return isWhole && (loss == Double.POSITIVE_INFINITY || reach <= sum);
@@ -60,7 +63,7 @@ final class DiffractedPath {
         return loss;
     }
 
-    /** A triangle at the edge that obstructs most, -1 for none. */
+    /** A triangle at the edge that obstructs most; -1 for none. */
     int triangle() {
         int main = edges.mainPoint();
         for (int i = 0; main >= 0 && i < section.pieces().count(); i++) {
@@ -80,7 +83,8 @@ final class DiffractedPath {
     }
 
     /**
-     * A taut string over all bodies that are in the way: those that cross the line, and those that cross the string.
+     * Stretches a taut string over all bodies that obstruct the path: those that cross the line, and those that cross
+     * the string.
      */
     private boolean findChain(boolean isAll) {
         boolean[] counted = new boolean[section.points()];
@@ -133,7 +137,7 @@ final class DiffractedPath {
         return isOpen;
     }
 
-    /** The string over the bodies that it passed before, and over others. */
+    /** The string over the bodies over which it already passed, and over others. */
     private List<double[]> hull(boolean[] others) {
         List<double[]> sorted = new ArrayList<>();
         for (int i = 0; i < section.points(); i++) {
@@ -159,7 +163,7 @@ final class DiffractedPath {
         return upper;
     }
 
-    /** Above 0 where three points turn to the left. */
+    /** Above 0 if a path through three points turns to the left at the second. */
     private static double turn(double[] a, double[] b, double[] c) {
         return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     }
@@ -186,7 +190,10 @@ final class DiffractedPath {
         return false;
     }
 
-    /** Whether a corner between the ends sticks out towards this side and lies below the string: it is an edge then. */
+    /**
+     * Whether a corner between the ends sticks out towards this side and lies below the string, and is therefore an
+     * edge.
+     */
     private boolean isEdge(int point) {
         if (!isBetweenEnds(point) || height(point) > heightOfChain(point) + ON_CHAIN) {
             return false;
@@ -228,7 +235,7 @@ final class DiffractedPath {
     /**
      * The greatest sum of the distances from both ends of a point at which there can be an edge with a loss: it lies
      * below the string and at most {@link #LOWEST} wavelengths below a line from the main edge to an end. Where that
-     * line is steep, the edge may also lie beyond the end of the line, between the perpendiculars to the section's own.
+     * line is steep, the edge may also lie beyond its end, between the perpendiculars to the section's own line.
      */
     private double reach(double[] main) {
         double most = 0.0;

@@ -22,10 +22,10 @@ public final class KnifeEdge {
      * two (P.526-15, equation (26)). Distances below a wavelength count as a wavelength: the formula does not hold
      * nearer to an antenna.
      *
-     * @param height above the line, perpendicular to it, m
+     * @param height height above the line, perpendicular to it, m
      * @param one distance from one end, m
-     * @param other distance from the other, m
-     * @param wavelength m
+     * @param other distance from the other end, m
+     * @param wavelength wavelength, m
      */
     static double parameter(double height, double one, double other, double wavelength) {
         double d1 = Math.max(wavelength, one);

@@ -1,6 +1,6 @@
 package org.dronewatch.sensor.radio;
 
-/** The polarisation of a wave whose electric field keeps its direction. */
+/** The polarisation of a wave whose electric field stays in a fixed direction. */
 public enum LinearPolarisation {
     /** Horizontal electric field. */
     HORIZONTAL,

@@ -21,8 +21,9 @@ public final class RadioPath {
     private static final double LEAST_DETOUR = 100.0;
 
     /**
-     * Without anything in the line, edges count up to 0.55 radii of the first Fresnel zone from it, and others up to as
-     * far from the line to such an edge: within 1.1 radii in all, a detour of 0.61 wavelengths or, at an antenna, 1.1.
+     * If the line is unobstructed, edges within 0.55 radii of the first Fresnel zone of it count, and so do other edges
+     * that are equally near to a line from an antenna to such an edge: all are within 1.1 radii, which is a detour of
+     * 0.61 wavelengths or, at an antenna, of 1.1.
      */
     private static final double NEAR = 2.0;
 
@@ -48,7 +49,7 @@ public final class RadioPath {
         this.level = new Section(world);
     }
 
-    /** The line between two antennas, with the directions in which its two sections extend. */
+    /** The line between two antennas, with the directions in which the two sections through it extend. */
     private record Line(Position from, Position to, double wavelength, Position ahead, Position up) {
         static Line of(Position from, Position to, double wavelength) {
             Position ahead = to.minus(from).times(1.0 / from.distance(to));
@@ -65,7 +66,7 @@ public final class RadioPath {
         }
     }
 
-    /** The three paths, and which of the sections has something in the line. */
+    /** The three paths, and whether the line is blocked in each of the two sections. */
     private record Paths(
             DiffractedPath over,
             DiffractedPath left,
@@ -76,7 +77,10 @@ public final class RadioPath {
             return isUprightBlocked || isLevelBlocked;
         }
 
-        /** The path that matters most: the one with the least loss around an obstacle, or else the greatest. */
+        /**
+         * The path that matters most: the one with the least loss if the line is blocked, or else the one with the
+         * greatest.
+         */
         DiffractedPath main() {
             DiffractedPath main = over;
             for (DiffractedPath path : List.of(left, right)) {
@@ -91,8 +95,8 @@ public final class RadioPath {
         }
 
         /**
-         * Because of rounding, a line along an edge may be blocked in one section only: then the paths in that one
-         * count.
+         * The loss if the line is blocked, dB. Because of rounding, a line along an edge may be blocked in one section
+         * only; then the paths in that section count.
          */
         private double ofBlocked() {
             double beside = left.loss() + right.loss();
@@ -114,15 +118,15 @@ public final class RadioPath {
      *
      * @param distance distance d, above 0, m
      * @param frequency carrier frequency f, Hz
-     * @return dB
+     * @return the loss, dB
      */
     public static double freeSpaceLoss(double distance, double frequency) {
         return 20.0 * Math.log10(4.0 * Math.PI * distance * frequency / LIGHT);
     }
 
     /**
-     * The diffraction loss between two positions, dB; infinite if there is no path around the obstacle, as into a
-     * closed room.
+     * The diffraction loss between two positions, dB; infinite if there is no path around the obstacle, for instance
+     * into a closed room.
      *
      * @param from position of one antenna, m
      * @param to position of the other antenna, m
@@ -133,7 +137,7 @@ public final class RadioPath {
     }
 
     /**
-     * The same, which does not depend on the last parameter.
+     * The same loss, with another first step of the search, which does not affect the result.
      *
      * @param first the detour up to which a blocked path is searched for first, m
      */
@@ -145,22 +149,22 @@ public final class RadioPath {
                 .loss();
     }
 
-    /** How far the paths over an obstacle are searched for: the sum of the distances from both ends, m. */
+    /** The limit of the search for paths over an obstacle: the sum of the distances from both ends, m. */
     private double over(Position from, Position to) {
         double tall = world.bounds().maxZ() - world.bounds().minZ();
         return DETOUR * from.distance(to) + 2.0 * tall;
     }
 
     /**
-     * How far the paths past either side of an obstacle are searched for: the sum of the distances from both ends, m.
+     * The limit of the search for paths past either side of an obstacle: the sum of the distances from both ends, m.
      */
     private static double beside(Position from, Position to) {
         return DETOUR * from.distance(to) + LEAST_DETOUR;
     }
 
     /**
-     * The same for a wave that matters only as long as it is not much weaker than another one: infinite from about 40
-     * dB on, and found in less time.
+     * The diffraction loss of a wave that matters only as long as it is not much weaker than another one, dB: found in
+     * less time, and infinite from about 40 dB on.
      */
     double faintLoss(Position from, Position to, double frequency) {
         double length = from.distance(to);
@@ -175,9 +179,9 @@ public final class RadioPath {
     /**
      * The paths along a line.
      *
-     * @param over up to which sum of distances they are searched for over an obstacle, m
-     * @param beside past either side, m
-     * @param first up to which detour they are searched for first, m
+     * @param over limit of the search over an obstacle, as a sum of the distances from both ends, m
+     * @param beside the same past either side, m
+     * @param first the detour up to which a blocked path is searched for first, m
      */
     private Paths paths(Line line, double over, double beside, double first) {
         double near = line.length() + NEAR * line.wavelength();
@@ -200,10 +204,10 @@ public final class RadioPath {
     }
 
     /**
-     * The paths in a section, searched for ever farther from the line until what lies still farther away makes no
+     * The paths in a section. The search extends farther and farther from the line until anything beyond makes no
      * difference: most obstacles are small, and a site is large.
      *
-     * @param sides on which they pass the line
+     * @param sides the sides on which the paths pass the line
      */
     private DiffractedPath[] found(Line line, Section section, double farthest, double first, boolean... sides) {
         DiffractedPath[] paths = new DiffractedPath[sides.length];
@@ -224,7 +228,7 @@ public final class RadioPath {
         return paths;
     }
 
-    /** Perpendicular to a direction, of length 1, as upright as possible. */
+    /** The vector of length 1 that is perpendicular to a direction and as upright as possible. */
     private static Position upwards(Position ahead) {
         boolean isSteep = Math.hypot(ahead.x(), ahead.y()) < 1e-6;
         Position up = isSteep ? new Position(0.0, 1.0, 0.0) : new Position(0.0, 0.0, 1.0);
@@ -240,7 +244,7 @@ public final class RadioPath {
         if (!(from.distance(to) > 0.0)) {
             return Optional.empty();
         }
-        // All at once, since a path knows its triangles by the section that was cut last.
+        // All paths are found at once, since a path looks its triangles up in the section that was cut last.
         Line line = Line.of(from, to, LIGHT / frequency);
         int triangle = paths(line, over(from, to), beside(from, to), Double.POSITIVE_INFINITY)
                 .main()

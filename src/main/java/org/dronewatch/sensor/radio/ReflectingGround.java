@@ -54,23 +54,24 @@ public record ReflectingGround(
     }
 
     /**
-     * How the field at an antenna differs from that of the direct wave alone: {@code 20 lg |1 + A rho G exp(-j k d)|}
-     * with Fresnel's reflection coefficient G for the complex permittivity {@code e - j 60 s lambda} and the loss of
+     * The field at an antenna relative to that of the direct wave alone: {@code 20 lg |1 + A rho G exp(-j k d)|} with
+     * Fresnel's reflection coefficient G for the complex permittivity {@code e - j 60 s lambda} and the loss of
      * coherence on a rough surface, {@code rho = exp(-8 (pi h sin(psi) / lambda)^2)} (W. S. Ament, Proceedings of the
      * IRE 41, 1953; M. I. Skolnik, Radar Handbook, chapter on propagation). A is the amplitude of the reflected wave,
-     * without the losses of the reflection, relative to that of the direct wave, {@code share direct / (direct +
-     * longer)}, k the wavenumber, d the path difference {@code longer}, lambda the wavelength, e the permittivity, s
-     * the conductivity, psi the grazing angle, and h^2 the sum of the squares of the roughness and of {@code uneven}.
+     * without the losses of the reflection, relative to that of the direct wave,
+     * {@code share direct / (direct + longer)}, k the wavenumber, d the path difference {@code longer}, lambda the
+     * wavelength, e the permittivity, s the conductivity, psi the grazing angle, and h^2 the sum of the squares of the
+     * roughness and of {@code uneven}.
      *
      * @param direct length of the direct path, m
-     * @param longer by how much the reflected path is longer, 0 or more, m
+     * @param longer length by which the reflected path is longer, 0 or more, m
      * @param grazing angle between the reflected path and the surface, above 0 to pi/2, rad
      * @param uneven standard deviation of the heights that the mesh shows, m
-     * @param frequency Hz
+     * @param frequency frequency, Hz
      * @param isVertical whether the wave is polarised vertically, not horizontally
      * @param share amplitude of the antenna towards the point of reflection relative to that towards the other end, 0
      *     or more
-     * @return dB, one way; at most 6 where the share is at most 1
+     * @return relative field, dB, one way; at most 6 if {@code share} is at most 1
      */
     double factor(
             double direct,
@@ -84,7 +85,7 @@ public record ReflectingGround(
         double sine = Math.sin(grazing);
         double cosine = Math.cos(grazing);
         double imaginary = -60.0 * conductivity * wavelength;
-        // The square root of e - cos^2, the root with a positive real part.
+        // The square root of e - cos^2 that has a positive real part.
         double re = permittivity - cosine * cosine;
         double size = Math.hypot(re, imaginary);
         double rootRe = Math.sqrt(0.5 * (size + re));

@@ -11,14 +11,17 @@ import org.dronewatch.world.World;
  * The section of a site in a plane through two points: the straight pieces in which the plane cuts triangles, in
  * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the
  * mesh share a point; those that are connected on one side of the line form one body there, so that the two sides of a
- * valley with an antenna in it are two. A plane through corners is taken for one an infinitesimal distance beside it.
- * For use by one thread.
+ * valley with an antenna in it are two bodies. If the plane passes through corners of the mesh, it is treated as if it
+ * lay an infinitesimal distance to one side of them. For use by one thread.
  */
 final class Section {
     /** Corners nearer to the plane than this, m, lie on it. */
     private static final double ON_PLANE = 1e-7;
 
-    /** A body counts as complete only this far inside the ellipsoid, m: its points are rounded. */
+    /**
+     * A body counts as complete only if it lies at least this far inside the ellipsoid, m, since its points are
+     * rounded.
+     */
     private static final double ROUNDING = 1e-6;
 
     private final EllipsoidQuery query;
@@ -31,23 +34,23 @@ final class Section {
     private Position side;
     private double length;
 
-    /** Leads from each point to one of the same body, in the end to its representative. */
+    /** For each point, another point of the same body; following these links leads to the body's representative. */
     private int[] body = new int[64];
 
     /** Whether the body that a point represents ends at the line. */
     private boolean[] blocks = new boolean[64];
 
-    /** Whether it goes on, above the line or below, beyond an end of it. */
+    /** Whether the body goes on, above the line or below, beyond an end of the line. */
     private boolean[] endsAbove = new boolean[64];
 
     private boolean[] endsBelow = new boolean[64];
 
-    /** Whether it goes on, above the line or below, beyond the ellipsoid between the ends. */
+    /** Whether the body goes on, above the line or below, beyond the ellipsoid between the ends of the line. */
     private boolean[] outsideAbove = new boolean[64];
 
     private boolean[] outsideBelow = new boolean[64];
 
-    /** Whether more of it may lie beyond the ellipsoid, even if only behind an end. */
+    /** Whether more of the body may lie beyond the ellipsoid, even if only behind an end of the line. */
     private boolean[] isPartial = new boolean[64];
 
     private boolean isBlocked;
@@ -61,10 +64,10 @@ final class Section {
      * Cuts the triangles that reach into an ellipsoid with the two ends of a line as its foci.
      *
      * @param from the beginning of the line
-     * @param to its end
-     * @param direction of the line, of length 1
-     * @param across in the plane, perpendicular to that, of length 1: t grows that way
-     * @param sum of the distances from both ends of a point on the ellipsoid, m
+     * @param to the end of the line
+     * @param direction unit vector along the line
+     * @param across the direction in the plane that is perpendicular to the line and in which t increases, of length 1
+     * @param sum sum of the distances of a point on the ellipsoid from both ends, m
      */
     void cut(Position from, Position to, Position direction, Position across, double sum) {
         origin = from;
@@ -159,12 +162,12 @@ final class Section {
         double t = points.t(i);
         double beyond = length - u;
         int whole = body[i];
-        // What rises behind an antenna obstructs nothing.
+        // Anything that rises behind an antenna obstructs nothing.
         if (!(u > 0.0 && beyond > 0.0)) {
             isPartial[whole] = true;
             return;
         }
-        // Quicker than hypot, which is needed at the boundary alone.
+        // Quicker than hypot, which is needed only at the boundary.
         double about = Math.sqrt(u * u + t * t) + Math.sqrt(beyond * beyond + t * t);
         if (about < sum - 2.0 * ROUNDING) {
             return;
@@ -233,19 +236,22 @@ final class Section {
     }
 
     /**
-     * Whether a body goes on, above the line or below, beyond an end of it or beyond what was cut: no path leads round
-     * it.
+     * Whether a body goes on, above the line or below, beyond an end of the line or beyond the part of the site that
+     * was cut: no path leads round such a body.
      */
     boolean isOpen(int whole, boolean above) {
         return isEnding(whole, above) || (above ? outsideAbove[whole] : outsideBelow[whole]);
     }
 
-    /** Whether a body goes on, above the line or below, beyond an end of it, however much of it is cut. */
+    /**
+     * Whether a body goes on, above the line or below, beyond an end of the line, however large the part of the site
+     * that is cut.
+     */
     boolean isEnding(int whole, boolean above) {
         return above ? endsAbove[whole] : endsBelow[whole];
     }
 
-    /** Whether there may be more of a body, on one side of the line, than what was cut. */
+    /** Whether there may be more of a body, on one side of the line, than the part that was cut. */
     boolean isPartial(int whole, boolean above) {
         return isPartial[whole] && isAbove(whole) == above;
     }

@@ -14,12 +14,15 @@ final class SectionPieces {
 
     private int count;
 
-    /** By point: one of the ends of pieces that lie there, -1 for none; by end of a piece: another one, or -1. */
+    /**
+     * Linked lists of the ends of pieces. For each point, one of the ends that lie there, or -1 for none; for each end
+     * of a piece, another end at the same point, or -1.
+     */
     private int[] ends = new int[FIRST];
 
     private int[] nextEnd = new int[2 * FIRST];
 
-    /** Begins again without pieces. */
+    /** Removes all pieces. */
     void clear() {
         count = 0;
     }
@@ -72,7 +75,7 @@ final class SectionPieces {
         return ends[point];
     }
 
-    /** Another one; -1 after the last. */
+    /** Another end of a piece at the same point; -1 after the last. */
     int nextAt(int end) {
         return nextEnd[end];
     }

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.radio;
 import java.util.Arrays;
 
 /**
- * The points of a section, each once: u along its line and t across it, m. Points are the same only if their
+ * The points of a section, without duplicates: u along its line and t across it, m. Points are the same only if their
  * coordinates are equal to the last bit. Allocates only when there are more points than ever before. For use by one
  * thread.
  */
@@ -20,7 +20,7 @@ final class SectionPoints {
     private int[] rounds = new int[2 * FIRST];
     private int round = 1;
 
-    /** Begins again without points. */
+    /** Removes all points. */
     void clear() {
         count = 0;
         if (round == Integer.MAX_VALUE) {
@@ -30,7 +30,7 @@ final class SectionPoints {
         round++;
     }
 
-    /** The number of a point: that of an equal one if there is one, or else the next. */
+    /** The number of a point: that of an equal point if there is one, or else the next free number. */
     int number(double along, double across) {
         // Without negative zeros, equal numbers have equal bits.
         double uThere = along + 0.0;

@@ -5,11 +5,11 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.world.Ground;
 
 /**
- * The surface that reflects along a path: the straight line that best fits the heights of a site on both sides of a
- * place on it. For use by one thread.
+ * The reflecting surface along a path: the straight line that best fits the heights of a site on both sides of a
+ * position on the path. For use by one thread.
  */
 final class SurfaceLine {
-    /** Heights in a Fresnel zone. */
+    /** Number of heights sampled in a Fresnel zone. */
     private static final int SAMPLES = 9;
 
     private final Ground ground;
@@ -26,11 +26,11 @@ final class SurfaceLine {
     /**
      * Fits the line.
      *
-     * @param from where the path begins
-     * @param to where it ends
-     * @param width of the path on a map, above 0, m
-     * @param at the place, measured on the map from where the path begins, m
-     * @param reach how far the line is to fit on either side, m
+     * @param from the beginning of the path
+     * @param to the end of the path
+     * @param width horizontal length of the path, above 0, m
+     * @param at horizontal distance of the position from the beginning of the path, m
+     * @param reach distance on either side over which the line is to fit, m
      * @return whether there is ground everywhere
      */
     boolean fit(Position from, Position to, double width, double at, double reach) {
@@ -69,17 +69,17 @@ final class SurfaceLine {
         uneven = Math.sqrt(squares / SAMPLES);
     }
 
-    /** Its height at a distance from where the path begins, m. */
+    /** The height of the line at a distance from the beginning of the path, m. */
     double height(double distance) {
         return base + slope * distance;
     }
 
-    /** How much it rises per metre. */
+    /** The slope of the line: its rise per metre. */
     double slope() {
         return slope;
     }
 
-    /** Standard deviation of the heights from it, m. */
+    /** Standard deviation of the heights about the line, m. */
     double uneven() {
         return uneven;
     }

@@ -8,18 +8,23 @@ import org.dronewatch.world.World;
 /**
  * The interference of the direct wave with the wave reflected by the ground of a site. The reflecting surface is the
  * straight line along the path that best fits the heights of the site within the first Fresnel zone about the point of
- * reflection; the deviations from it count as roughness. An obstacle that is near one of the two legs of the reflected
- * path, or obstructs it, weakens the reflection by its diffraction loss, so that the result has no step where an edge
- * rises into a leg. No reflection is counted where there is no ground. On a round earth, heights are measured from a
- * sphere that touches that line at the point of reflection. For use by one thread.
+ * reflection; the deviations from that line count as roughness. An obstacle that is near one of the two legs of the
+ * reflected path, or obstructs it, weakens the reflection by its diffraction loss, so that the result has no step where
+ * an edge rises into a leg. No reflection is counted where there is no ground. On a round earth, heights are measured
+ * from a sphere that touches that line at the point of reflection. For use by one thread.
  */
 public final class TwoRays {
     private static final double LIGHT = 299_792_458.0;
 
-    /** Enough for the point of reflection to settle on ground that can be called a surface. */
+    /**
+     * The number of iterations: enough for the point of reflection to converge if the ground is smooth enough to be
+     * called a surface.
+     */
     private static final int STEPS = 4;
 
-    /** How far above the fitted surface the legs of the reflected path meet, m and in standard deviations. */
+    /**
+     * The height above the fitted surface at which the legs of the reflected path meet, m; also in standard deviations.
+     */
     private static final double CLEAR = 0.1;
 
     /**
@@ -34,13 +39,16 @@ public final class TwoRays {
     private final SurfaceLine line;
     private final RadioPath legs;
 
-    /** Where the current path is reflected: distances on a map from where it begins, and to where it ends, m. */
+    /**
+     * The point of reflection of the current path: its horizontal distances from the beginning of the path and to its
+     * end, m.
+     */
     private double at;
 
     private double before;
     private double beyond;
 
-    /** Heights of its ends above the plane that touches the surface there, m. */
+    /** Heights of the ends of the path above the plane that touches the surface at that point, m. */
     private double one;
 
     private double other;
@@ -107,7 +115,9 @@ public final class TwoRays {
                 share * spread * Math.pow(10.0, -0.05 * lost));
     }
 
-    /** Finds where the ground reflects; false where there is none, or where it lies above one of the ends. */
+    /**
+     * Finds the point at which the ground reflects; false if there is no ground, or if it lies above one of the ends.
+     */
     private boolean findReflection(Position from, Position to, double width, double wavelength) {
         double direct = from.distance(to);
         at = 0.5 * width;
@@ -124,7 +134,7 @@ public final class TwoRays {
         return true;
     }
 
-    /** Finds the point on the surface where the angles are equal; false where an end lies below the surface. */
+    /** Finds the point on the surface at which the two angles are equal; false if an end lies below the surface. */
     private boolean reflect(Position from, Position to, double width) {
         before = 0.0;
         beyond = 0.0;
@@ -148,7 +158,7 @@ public final class TwoRays {
         return one > 0.0 && other > 0.0;
     }
 
-    /** How far a round earth drops below the plane that the surface is otherwise, m. */
+    /** The depth of a round earth below the plane that represents the surface of a flat one, m. */
     private double drop(double distance) {
         return surface.roundEarth() ? RoundEarth.drop(distance) : 0.0;
     }

@@ -49,10 +49,11 @@ public record Dwell(
 
     /**
      * The probability that a look intercepts at least one burst: with the burst's duration b, the time T from one to
-     * the next, the dwell D and the overlap t, bursts that begin within {@code D + b - 2 t} overlap enough. Of these
-     * there are {@code n = floor((D + b - 2 t) / T)}, and one more with the probability of the remainder e; each is on
-     * a channel that the receiver hears with the probability p, its bandwidth over the span of the channels. None is
-     * received with {@code (1 - p)^n (1 - p e)}, to the power of the number of dwells.
+     * the next, the dwell D and the overlap t, bursts that begin within {@code D + b - 2 t} overlap enough. There are
+     * {@code n = floor((D + b - 2 t) / T)} such bursts, and one more with the probability e, which is the remainder;
+     * each of them is on a channel that the receiver hears with the probability p, which is the receiver's bandwidth
+     * divided by the span of the channels. The probability that none is received is {@code (1 - p)^n (1 - p e)}, to the
+     * power of the number of dwells.
      *
      * @param bandwidth bandwidth of the receiver, Hz
      */

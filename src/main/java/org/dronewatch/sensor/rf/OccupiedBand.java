@@ -51,12 +51,12 @@ public record OccupiedBand(
         return SettingsForm.with(this, "band", other);
     }
 
-    /** Whether a frequency, Hz, lies in it. */
+    /** Whether a frequency, Hz, lies in this band. */
     boolean contains(double frequency) {
         return frequency >= lowest() && frequency <= highest();
     }
 
-    /** Whether it shares frequencies with another one. */
+    /** Whether this band shares frequencies with another one. */
     boolean overlaps(OccupiedBand other) {
         return lowest() <= other.highest() && other.lowest() <= highest();
     }
@@ -69,7 +69,7 @@ public record OccupiedBand(
         return maxFrequency.orElse(band.maxFrequency());
     }
 
-    /** Their power in a receiver of a bandwidth, Hz, while they transmit, dBm. */
+    /** The power of the other transmitters in a receiver with the given bandwidth, Hz, while they transmit, dBm. */
     double power(double bandwidth) {
         return density + 10.0 * Math.log10(bandwidth / MEGAHERTZ);
     }

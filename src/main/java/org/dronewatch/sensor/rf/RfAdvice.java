@@ -11,19 +11,19 @@ import org.dronewatch.setting.Quantity;
 final class RfAdvice {
     private static final double MEGAHERTZ = 1e6;
 
-    /** Dwells that fill a look but for rounding fit into it. */
+    /** Dwells that fill a look exactly, apart from rounding, fit into it. */
     private static final double ROUNDING = 1e-9;
 
     private RfAdvice() {}
 
-    /** One sentence for each; none for a receiver that can be built. */
+    /** One sentence for each problem; none for a receiver that can be built. */
     static List<String> on(RfSettings receiver) {
         return Stream.of(noise(receiver), gain(receiver), dwells(receiver))
                 .flatMap(Optional::stream)
                 .toList();
     }
 
-    /** An environment whose noise is not known at any frequency that it receives. */
+    /** The warning about an environment whose noise is not known at any frequency that the receiver receives. */
     private static Optional<String> noise(RfSettings receiver) {
         return receiver.environment()
                 .filter(noise -> receiver.minFrequency() > noise.highestFrequency())
@@ -35,7 +35,10 @@ final class RfAdvice {
                         Quantity.FREQUENCY.inBrief(receiver.minFrequency() / MEGAHERTZ)));
     }
 
-    /** Dwells that overlap those of the next look: each look would hear what another has heard already. */
+    /**
+     * The warning about dwells that overlap those of the next look: each look would hear what another has already
+     * heard.
+     */
     private static Optional<String> dwells(RfSettings receiver) {
         return receiver.dwell()
                 .filter(dwell -> dwell.time() * dwell.count() * receiver.rate() > 1.0 + ROUNDING)

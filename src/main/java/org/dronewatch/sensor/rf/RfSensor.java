@@ -40,7 +40,10 @@ public final class RfSensor implements AssessableSensor {
     private Optional<TwoRays> rays = Optional.empty();
     private Visibility visibility;
 
-    /** The link whose pilot was received last, with its ratio: a pilot stays where they are, wherever the drone is. */
+    /**
+     * The link whose pilot was received last, with its signal-to-noise ratio, which does not change: pilots do not
+     * move, wherever the drone is.
+     */
     private Optional<RadioLink> known = Optional.empty();
 
     private double ofKnownPilot;
@@ -75,7 +78,7 @@ public final class RfSensor implements AssessableSensor {
                 : Signal.of(reception.probability(settings.threshold()), median, UNIT, settings.threshold());
     }
 
-    /** What chance has to decide, of signals with these signal-to-noise ratios, dB. */
+    /** The reception on which chance has to decide, for signals with these signal-to-noise ratios, dB. */
     private Reception reception(Drone drone, double ofDrone, double ofPilot) {
         RadioLink link = drone.settings().radio();
         double occupancy = settings.occupiedAt(link.frequency())
@@ -152,7 +155,7 @@ public final class RfSensor implements AssessableSensor {
         return reception.interception() == 1.0 || random.nextDouble() < reception.interception();
     }
 
-    /** By how much others raise the noise in this look, the same for all drones in their band, dB. */
+    /** The rise of the noise due to others in this look, dB; the same for all drones in their band. */
     private double rise(Drone drone, Reception reception, Look look) {
         if (reception.occupancy() == 0.0) {
             return 0.0;
@@ -193,7 +196,7 @@ public final class RfSensor implements AssessableSensor {
     }
 
     /**
-     * What the reflection from the ground adds, dB; 0 unless it is set.
+     * The change in the signal due to the reflection from the ground, dB; 0 unless a reflecting ground is set.
      *
      * @param weight amplitude with which the antenna receives from a direction, relative to that of the direct wave
      */
@@ -214,12 +217,12 @@ public final class RfSensor implements AssessableSensor {
         return towards.length() > 0.0 ? settings.beamGain(towards) : 0.0;
     }
 
-    /** Signal-to-noise ratio of an emission if no edge weakened the direct wave, dB. */
+    /** The signal-to-noise ratio that an emission would have if no edge weakened the direct wave, dB. */
     private double inBeam(RadioLink link, Position from, double power) {
         return pastEdges(link, from, power, relativeTo(from)) + beamGain(from);
     }
 
-    /** The same on the axis of the antenna, dB; see {@link #groundReflection} for the weight. */
+    /** The same ratio for an emission on the axis of the antenna, dB; see {@link #groundReflection} for the weight. */
     private double pastEdges(RadioLink link, Position from, double power, ToDoubleFunction<Position> weight) {
         double loss = RadioPath.freeSpaceLoss(distance(from), link.frequency()) + settings.clutter();
         return power
@@ -228,7 +231,10 @@ public final class RfSensor implements AssessableSensor {
                 + groundReflection(link, from, weight);
     }
 
-    /** The formula does not hold in the near field: distances below a metre count as a metre. */
+    /**
+     * The distance for the formula of free-space loss, m. The formula does not hold in the near field: distances below
+     * a metre count as a metre.
+     */
     private double distance(Position from) {
         return Math.max(1.0, from.distance(settings.position()));
     }

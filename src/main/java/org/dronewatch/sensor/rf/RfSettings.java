@@ -255,7 +255,8 @@ public record RfSettings(
 
     /**
      * Why this receiver does not hear a link: it transmits nothing, or nothing that can be recognised as a drone's, or
-     * it transmits on a frequency that is not received; the explanation then states the limit of those that are.
+     * it transmits on a frequency that is not received; in the last case, the explanation states the limit of the
+     * frequencies that are.
      */
     Explanation silence(RadioLink link) {
         if (!link.emits() || receives(link.frequency())) {
@@ -292,7 +293,7 @@ public record RfSettings(
                 .findFirst();
     }
 
-    /** By how much the noise at a frequency, Hz, rises while others transmit there, dB; 0 where nobody does. */
+    /** The rise of the noise at a frequency, Hz, while others transmit there, dB; 0 where nobody does. */
     double rise(double frequency) {
         double noise = noise(frequency);
         return occupiedAt(frequency)

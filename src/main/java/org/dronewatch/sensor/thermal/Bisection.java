@@ -2,18 +2,18 @@ package org.dronewatch.sensor.thermal;
 
 import java.util.function.DoubleUnaryOperator;
 
-/** Where a falling function crosses zero. */
+/** Finds the zero of a decreasing function by bisection. */
 final class Bisection {
-    /** Enough halvings to reach double precision. */
+    /** The number of halvings: enough to reach double precision. */
     private static final int HALVINGS = 64;
 
     private Bisection() {}
 
     /**
-     * The root of a function that falls from above zero to below it.
+     * The root of a function that decreases from above zero to below it.
      *
-     * @param low where it is above zero
-     * @param high where it is below zero
+     * @param low an argument at which the function is above zero
+     * @param high an argument at which the function is below zero
      */
     static double root(double low, double high, DoubleUnaryOperator falling) {
         double from = low;

@@ -54,7 +54,7 @@ public record PointTargets(
     @Defaults
     public static final PointTargets DEFAULT = new PointTargets(1.0, 3, 5, 9, 25.0);
 
-    /** Nothing of interest lies farther out, in standard deviations: there the normal tail is 1e-315. */
+    /** Nothing of interest lies farther out than this, in standard deviations: the normal tail is 1e-315 there. */
     private static final double FARTHEST = 38.0;
 
     /** Rounding must not make a whole number of looks one look longer. */
@@ -65,7 +65,7 @@ public record PointTargets(
     /** The greatest number of frames between two looks. */
     private static final double MOST_FRAMES = 1000.0;
 
-    /** Logarithm of a probability with which nothing is ever marked. */
+    /** Logarithm of a probability so low that nothing is ever marked. */
     private static final double LOWEST = -700.0;
 
     /**
@@ -115,8 +115,9 @@ public record PointTargets(
     }
 
     /**
-     * The probability of a mark caused by noise at which noise is confirmed most often; with a higher one, spots no
-     * longer come to an end. The derivative of the logarithm falls everywhere, so it has one zero.
+     * The probability of a mark at which noise is confirmed most often; at a higher probability, spots no longer come
+     * to an end. The derivative of the logarithm of the frequency of confirmations decreases everywhere, so it has one
+     * zero.
      */
     private double mostConfirmed() {
         return Bisection.root(
@@ -138,8 +139,8 @@ public record PointTargets(
     }
 
     /**
-     * The rate of false alarms that noise causes. Each is taken to last as long as its marks can keep it confirmed,
-     * N - M + 1 frames, and to be distinct from others outside its gate.
+     * The rate of false alarms that noise causes. Each false alarm is taken to last as long as its marks can keep it
+     * confirmed, N - M + 1 frames, and to be distinct from any other that lies outside its gate.
      *
      * @param pixels number of pixels of the image
      * @param looks per second, Hz
@@ -147,13 +148,13 @@ public record PointTargets(
     FalseAlarmRate rate(long pixels, double looks) {
         double perHour = falseAlarmsPerHour(threshold(pixels), pixels);
         int longest = longest(looks);
-        // As many as are accepted must not become too many by the rounding of the threshold.
+        // The rounding of the threshold must not turn the accepted number into too high a number.
         double perLook =
                 Math.min(perHour / (SECONDS_PER_HOUR * looks), Math.nextDown(FalseAlarmRate.MOST_PER_LOOK / longest));
         return new FalseAlarmRate(perLook, Math.max(1, pixels / gate), longest, looks);
     }
 
-    /** The greatest number of looks for which noise is confirmed. */
+    /** The greatest number of looks for which noise stays confirmed. */
     private int longest(double looks) {
         return (int) Math.max(1.0, Math.ceil((frames - hits + 1) * looks / frameRate - ROUNDING));
     }
@@ -189,7 +190,10 @@ public record PointTargets(
         }
     }
 
-    /** How often noise is confirmed in one pixel and frame, if it marks a pixel with a probability p. */
+    /**
+     * The mean number of times that noise is confirmed in one pixel and frame, if it marks a pixel with a probability
+     * p.
+     */
     private double confirmations(double p) {
         double q = marks(p);
         return combinations(frames - 1, hits - 1) * p * Math.pow(q, hits - 1) * Math.pow(1.0 - q, frames - hits + 1);

@@ -1,17 +1,19 @@
 package org.dronewatch.sensor.thermal;
 
-/** The probability that marks in successive frames, each with the same probability, confirm a spot. */
+/** The probability that marks in successive frames confirm a spot; each frame marks it with the same probability. */
 final class SpotConfirmation {
-    /** The longest rule whose sequences of marks are followed one by one: 2048 of them. */
+    /**
+     * The greatest number of frames N for which all sequences of marks are followed one by one: there are 2048 of them.
+     */
     private static final int LONGEST = 12;
 
     private SpotConfirmation() {}
 
     /**
      * The probability that at least M of N successive frames mark a spot in at least one of several successive frames.
-     * For N up to 12 it is exact, as it follows the probabilities of all sequences of the last N - 1 marks. For longer
-     * rules each frame is assumed to depend only on the one before it, which is exact for up to two frames and
-     * otherwise too low by at most 0.1.
+     * For N up to 12, the result is exact, since the probabilities of all sequences of the last N - 1 marks are
+     * followed. For a greater N, each frame is assumed to depend only on the one before it; the result is then exact
+     * for up to two frames, and otherwise too low by at most 0.1.
      *
      * @param windows number of frames in which the spot may be confirmed, 1 or more
      * @param hits M
@@ -51,9 +53,9 @@ final class SpotConfirmation {
     }
 
     /**
-     * An estimate from the probabilities that one frame, and two in succession, do not confirm the spot. Two frames
-     * share N - 1 marks: they do not confirm it if fewer than M - 1 of these are set, or if M - 1 are and no further
-     * one.
+     * An estimate from the probabilities that one frame does not confirm the spot, and that two successive frames do
+     * not. Two frames share N - 1 marks: they do not confirm it if fewer than M - 1 of these are set, or if M - 1 are
+     * and no further one.
      */
     static double byPairs(int windows, int hits, int frames, double mark) {
         double fewer = 0.0;

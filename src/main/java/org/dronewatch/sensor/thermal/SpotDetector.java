@@ -11,28 +11,28 @@ import org.dronewatch.sensor.Look;
  * often a run looks at what the program has found.
  */
 final class SpotDetector {
-    /** A frame that is due at the time of a look, but for rounding, has been taken. */
+    /** A frame that is due at the time of a look, apart from rounding, has been taken. */
     private static final double ROUNDING = 1e-6;
 
     private final PointTargets rule;
     private final double threshold;
     private final double looksPerSecond;
 
-    /** A detector of spots in the images of a camera that has such a rule. */
+    /** A detector of spots in the images of a camera, by the given rule. */
     SpotDetector(PointTargets rule, ThermalSettings camera) {
         this.rule = rule;
         this.threshold = rule.threshold(camera.pixels());
         this.looksPerSecond = camera.rate();
     }
 
-    /** What a pixel must exceed to be marked, in standard deviations of the noise. */
+    /** The signal above which a pixel is marked, in standard deviations of the noise. */
     double threshold() {
         return threshold;
     }
 
     /**
-     * The probability that enough of the last frames mark a spot; 0 without a signal: what noise alone marks is a false
-     * alarm.
+     * The probability that enough of the last frames mark a spot; 0 without a signal, since a spot marked by noise
+     * alone is a false alarm.
      *
      * @param signalToNoise 0 or more
      */
@@ -41,7 +41,7 @@ final class SpotDetector {
     }
 
     /**
-     * The probability that the program confirms a spot in one of the frames between two looks.
+     * The probability that the program confirms a spot in at least one of the frames since the previous look.
      *
      * @param signalToNoise 0 or more
      */
@@ -57,12 +57,13 @@ final class SpotDetector {
     }
 
     /**
-     * What the probability of one frame must reach in a look. Each frame has a random number u for the drone, and marks
-     * it where the probability of a mark is at least u. So M of the last N frames do where it is at least the M-th
-     * smallest of their numbers; and a look detects the drone where that holds in any frame since the look before.
+     * The threshold that the probability of a mark in one frame must reach for a look to detect the drone. Each frame
+     * has a random number u for the drone, and marks it if the probability of a mark is at least u. So M of the last N
+     * frames mark it if that probability is at least the M-th smallest of their numbers; and a look detects the drone
+     * if this holds in any frame since the previous look.
      *
      * @param drone name of the drone
-     * @return infinite before there have been enough frames
+     * @return the threshold; infinite before there have been enough frames
      */
     double drawnThreshold(Look look, String drone) {
         long newest = newest(look.index());
@@ -70,7 +71,7 @@ final class SpotDetector {
         long oldest = Math.max(0, first - rule.frames() + 1);
         double[] drawn = new double[(int) (newest - oldest) + 1];
         for (int i = 0; i < drawn.length; i++) {
-            // Above 0: what does not stand out at all is not found by luck.
+            // Above 0: a drone that does not stand out at all is not found by luck.
             drawn[i] = 1.0
                     - Draws.stream(look.seed(), look.sensor(), drone, oldest + i, Look.DETECTION)
                             .nextDouble();

@@ -41,12 +41,15 @@ final class ThermalBounds {
         this.sight = new SightCone(area.world().tree(), camera);
     }
 
-    /** The signal of a drone is at most this. */
+    /** An upper bound on the signal of a drone. */
     Signal most(Drone drone) {
         return signals.of(drone, bounds.most(drone.origin(), drone.radius()));
     }
 
-    /** The bounds of a drone that is outside the image, that single triangles of the site hide, or that is too weak. */
+    /**
+     * The bounds for a drone that is outside the image, that single triangles of the site hide, or whose signal is too
+     * weak.
+     */
     Optional<AssessmentBounds> atAllHeadings(Drone drone, Position at) {
         Drone there = drone.at(new FlightState(at, AT_REST, 0.0));
         double radius = there.radius();
@@ -70,7 +73,7 @@ final class ThermalBounds {
         return most.isDetected() ? Optional.empty() : bounds(nothing, most, Cause.TOO_WEAK);
     }
 
-    /** The bounds of a level drone that nothing hides, from the silhouette of its model. */
+    /** The bounds for a level drone that nothing hides, from the silhouette of its model. */
     Optional<AssessmentBounds> of(Drone drone, FlightState state, DoubleToIntFunction steps) {
         Drone there = drone.at(state);
         if (!silhouette.bound(there, state) || !sight.isClear(state.position(), drone.radius())) {
@@ -88,7 +91,7 @@ final class ThermalBounds {
         return bounds(low, high, low.isDetected() ? Cause.DETECTED : missed);
     }
 
-    /** Whether the bounds of its area decide what is made of a drone. */
+    /** Whether the bounds on the area of a drone decide its assessment. */
     private boolean isDecisive(Drone there, DoubleToIntFunction steps) {
         Signal low = signals.of(there, silhouette.least());
         Signal high = signals.of(there, silhouette.most());
@@ -104,7 +107,10 @@ final class ThermalBounds {
         return Optional.of(AssessmentBounds.between(weakest, strongest, cause));
     }
 
-    /** The area of a drone as {@link VisibleArea#of(Drone, DoublePredicate)}; faster in a state just bounded. */
+    /**
+     * The area of a drone as given by {@link VisibleArea#of(Drone, DoublePredicate)}; faster if bounds have just been
+     * found for its state.
+     */
     double area(Drone drone, DoublePredicate enough) {
         if (!silhouette.isOf(drone)) {
             return area.of(drone, enough);
@@ -114,7 +120,7 @@ final class ThermalBounds {
                 : area.of(drone, silhouette, enough);
     }
 
-    /** Whether a drone would be detected if nothing hid it; faster in a state just bounded. */
+    /** Whether a drone would be detected if nothing hid it; faster if bounds have just been found for its state. */
     boolean isDetectedInTheOpen(Drone drone) {
         if (!most(drone).isDetected()) {
             return false;

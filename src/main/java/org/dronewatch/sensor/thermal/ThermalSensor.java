@@ -106,7 +106,7 @@ public final class ThermalSensor implements BoundingSensor {
         return new ThermalSensor(settings);
     }
 
-    /** {@inheritDoc} A few rays suffice to show that a large drone is detected. */
+    /** {@inheritDoc} For a large drone, a few rays suffice to show that it is detected. */
     @Override
     public Assessment assessCoarsely(
             World world,
@@ -123,7 +123,7 @@ public final class ThermalSensor implements BoundingSensor {
         };
         double pixels = bounds.area(drone, enough);
         Signal signal = signal(drone, pixels);
-        // Without an obstruction, it would not be detected in the open either.
+        // Nothing obstructs it, so it would not be detected in the open either.
         boolean isObstructed = area.isObstructed();
         return new Assessment(
                 signal,
@@ -205,7 +205,10 @@ public final class ThermalSensor implements BoundingSensor {
         return probability >= threshold;
     }
 
-    /** What the probability must reach in a look: what the noise of the last frames, or an observer, has drawn. */
+    /**
+     * The threshold that the probability must reach in a look: the number drawn for the noise of the last frames, or
+     * for an observer.
+     */
     private double drawnThreshold(Drone drone, Look look, double probability) {
         return spots.map(detector -> detector.drawnThreshold(look, drone.id()))
                 .orElseGet(() -> look.observerThreshold(drone.id(), settings.rate(), probability));
@@ -214,9 +217,9 @@ public final class ThermalSensor implements BoundingSensor {
     /**
      * Signal-to-noise ratio of a drone.
      *
-     * @param excess how much warmer or colder it is than what is behind it, K
-     * @param range m
-     * @param pixels that it covers
+     * @param excess temperature difference between the drone and its background, K
+     * @param range distance of the drone, m
+     * @param pixels number of pixels that it covers
      */
     double signalToNoise(double excess, double range, double pixels) {
         return ThermalSignal.toNoise(settings, excess, range, pixels);

@@ -211,7 +211,7 @@ public record ThermalSettings(
 
     @Override
     public SensorDescription description() {
-        // What the air absorbs is a setting of the camera, whatever the site's weather.
+        // The absorption by the air is a setting of the camera, whatever the site's weather.
         String own = "set its 'transmission' for such weather";
         return PictureSensorSettings.describe(
                         "probability",

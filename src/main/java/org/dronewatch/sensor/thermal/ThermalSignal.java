@@ -11,10 +11,10 @@ import org.dronewatch.setting.Quantity;
 /**
  * The signal of a thermal camera, from the area of a drone in its image.
  *
- * @param settings of the camera
+ * @param settings settings of the camera
  * @param spots the program that finds spots, if there is one
  * @param pointing where a positioner points the camera
- * @param focalLength of the camera as it is pointed, pixels
+ * @param focalLength focal length of the camera as it is pointed, pixels
  * @param cn2 turbulence of the air, m^(-2/3)
  */
 record ThermalSignal(
@@ -26,12 +26,12 @@ record ThermalSignal(
     private static final double KILOMETRE = 1000.0;
     private static final double EVEN_CHANCE = 0.5;
 
-    /** The signal of a drone whose area in the image is a number of pixels. */
+    /** The signal of a drone with a given area in the image, pixels. */
     Signal of(Drone drone, double pixels) {
         return of(drone, pixels, turning(drone));
     }
 
-    /** The signal of a drone that does not move in the image, which is never weaker for that. */
+    /** The signal that a drone would have if it did not move in the image: never weaker than if it moves. */
     Signal atRest(Drone drone, double pixels) {
         return of(drone, pixels, 0.0);
     }
@@ -47,7 +47,7 @@ record ThermalSignal(
                 : Signal.certain(probability, Quantity.RATIO.unit(), settings.probability());
     }
 
-    /** Signal-to-noise ratio of a drone: for a spot, that of the one pixel which receives most of its heat. */
+    /** Signal-to-noise ratio of a drone: for a spot, that of the pixel that receives most of its heat. */
     double toNoise(Drone drone, double pixels) {
         double range = drone.distance(settings.position());
         double received = spots.isPresent() ? through(range).ensquaredEnergy(focalLength) : 1.0;
@@ -61,9 +61,9 @@ record ThermalSignal(
     /**
      * Signal-to-noise ratio of a drone.
      *
-     * @param excess how much warmer or colder it is than what is behind it, K
-     * @param range m
-     * @param pixels that it covers
+     * @param excess temperature difference between the drone and its background, K
+     * @param range distance of the drone, m
+     * @param pixels number of pixels that it covers
      */
     static double toNoise(ThermalSettings camera, double excess, double range, double pixels) {
         double air = Math.pow(camera.transmission(), range / KILOMETRE);

@@ -17,8 +17,8 @@ final class FileNames {
     }
 
     /**
-     * Whether a file, each of a list, or one that may be left out is where a settings file may name it; adds a problem
-     * for each that is not.
+     * Whether a value names only files that exist where a settings file may name them: a single file, each of a list,
+     * or one that may be left out. Adds a problem for each that is not there.
      *
      * @param field path of the setting
      */

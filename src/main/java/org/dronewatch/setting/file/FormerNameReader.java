@@ -4,7 +4,9 @@ import java.util.Map;
 import org.dronewatch.setting.FormerNames;
 import org.dronewatch.setting.SettingsForm;
 
-/** Gives settings written under a former name their current name, see {@link org.dronewatch.setting.Formerly}. */
+/**
+ * Gives settings that are written under a former name their current name; see {@link org.dronewatch.setting.Formerly}.
+ */
 final class FormerNameReader {
     private final FormerNames used;
     private final Problems problems;

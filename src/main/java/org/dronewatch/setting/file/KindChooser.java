@@ -9,7 +9,8 @@ import java.util.stream.Collectors;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Finds which of several kinds of settings a mapping means: by its kind, by ready settings that it takes, by its parts.
+ * Finds out which of several kinds of settings a mapping means: by its kind, by the ready settings that it uses, or by
+ * its parts.
  */
 final class KindChooser {
     /** The name under which a kind is written. */

@@ -14,7 +14,7 @@ import org.dronewatch.setting.SettingsForm;
 
 /**
  * Replaces the name of a system by its parts: {@code gate: {use: SYSTEM, position: ...}} becomes {@code gate-radar} and
- * the like, each with those settings written for the system that the part has.
+ * the like, each with those of the settings written for the system that apply to this part.
  */
 final class NamedGroups {
     private final Kinds kinds;
@@ -79,7 +79,9 @@ final class NamedGroups {
         }
     }
 
-    /** What is written for a system, without the settings that other parts of it have and this one does not. */
+    /**
+     * What is written for a system, without the settings that other parts of the system have but this part does not.
+     */
     private Node.Mapping thatApplies(
             Node.Mapping written, Class<?> type, Node.Mapping part, Map<String, Node.Mapping> parts) {
         List<String> left = new ArrayList<>(List.of(KindChooser.USE));

@@ -28,7 +28,7 @@ public sealed interface Node {
     /**
      * A single value.
      *
-     * @param text the value as written, empty for none
+     * @param text the value as written; empty if there is none
      */
     record Scalar(String text, Mark mark) implements Node {
         @Override

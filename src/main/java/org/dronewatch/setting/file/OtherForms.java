@@ -9,8 +9,8 @@ import org.dronewatch.setting.AsNumbers;
 import org.dronewatch.setting.SettingsForm;
 
 /**
- * Reads values that are written in a form other than their own, see
- * {@link Kinds#with(Class, Class, java.util.function.Function)}.
+ * Reads values that are written in a form other than their own; see {@link Kinds#with(Class, Class,
+ * java.util.function.Function)}.
  */
 final class OtherForms {
     private final Kinds kinds;
@@ -22,8 +22,8 @@ final class OtherForms {
     }
 
     /**
-     * The form in which a mapping represents a record of this type: the one that knows most of its names, or the first
-     * when nothing in it has a name of the record; empty for its own.
+     * The form in which a mapping represents a record of this type: the one that knows most of the mapping's names, or
+     * the first if none of them is a name of the record; empty for the record's own form.
      */
     Optional<Kinds.OtherForm> of(Class<?> type, Node.Mapping mapping) {
         List<Kinds.OtherForm> forms = kinds.otherForms(type);
@@ -46,7 +46,7 @@ final class OtherForms {
         return Optional.ofNullable(best);
     }
 
-    /** The value that a form represents; empty when there is none, and a problem here or elsewhere says why. */
+    /** The value that a form represents; empty if there is none, in which case a problem here or elsewhere says why. */
     Optional<Object> value(Kinds.OtherForm form, Object written, Node node, String path) {
         try {
             return form.value().apply((Record) written).map(Object.class::cast);
@@ -56,7 +56,7 @@ final class OtherForms {
         }
     }
 
-    /** Whether a part is written in another form, but may not be; adds a problem if so. */
+    /** Whether a part is written in another form although it must not be; adds a problem if so. */
     boolean isRefused(RecordComponent part, Node node, String path) {
         boolean refused = part.isAnnotationPresent(AsNumbers.class)
                 && node instanceof Node.Mapping mapping

@@ -20,13 +20,13 @@ final class Problems {
     private record Problem(Mark mark, String text) {}
 
     /**
-     * Adds one.
+     * Adds an error.
      *
      * @param mark its location
      * @param field path of the setting, empty for the whole document
      */
     void add(Mark mark, String field, String message) {
-        // Messages on a number begin with its name, which at the top of a file is its path as well.
+        // Messages about a number begin with its name, which is also its path at the top level of a file.
         boolean isNamed = field.isEmpty() || message.startsWith(field + " ");
         String line = PlainText.line(mark + ": " + (isNamed ? "" : field + ": ") + message);
         found.add(new Problem(mark, PlainText.beginning(line, LONGEST)));

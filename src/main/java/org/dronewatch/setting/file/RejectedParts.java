@@ -17,7 +17,7 @@ final class RejectedParts {
     private final String path;
 
     /**
-     * @param values those parts of the mapping that could be read, with all that are required
+     * @param values those parts of the mapping that could be read, including all required parts
      * @param path path of the record
      */
     RejectedParts(Problems problems, SettingsForm form, Node.Mapping mapping, Map<String, Object> values, String path) {
@@ -71,7 +71,7 @@ final class RejectedParts {
         return rejection(others).filter(why::equals).isPresent();
     }
 
-    /** Parts that could not be read, which has been reported already. */
+    /** The parts that could not be read, as has been reported already. */
     private Set<String> unread() {
         Set<String> names = new LinkedHashSet<>(mapping.values().keySet());
         names.removeAll(values.keySet());

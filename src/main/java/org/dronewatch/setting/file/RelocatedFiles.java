@@ -14,7 +14,7 @@ import org.dronewatch.setting.OutsideFileException;
 import org.dronewatch.setting.PlainText;
 import org.dronewatch.setting.SettingsForm;
 
-/** Settings whose file names are made relative to another directory and refer to the same files. */
+/** Makes the file names in settings relative to another directory, so that they refer to the same files as before. */
 final class RelocatedFiles {
     private final Path from;
     private final Path to;

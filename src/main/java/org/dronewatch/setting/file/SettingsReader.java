@@ -20,7 +20,7 @@ import org.dronewatch.setting.SettingsForm;
 import org.dronewatch.setting.Switchable;
 
 /**
- * Makes settings records from nodes. Errors are collected, and reading continues, so that everything else is checked,
+ * Makes settings records from nodes. Errors are collected and reading continues, so that everything else is checked,
  * too.
  */
 final class SettingsReader {
@@ -120,7 +120,7 @@ final class SettingsReader {
             return failed(
                     node,
                     path,
-                    "must be settings by name, as in '" + KindChooser.USE + ": "
+                    "must be named settings, as in '" + KindChooser.USE + ": "
                             + named.get().names().stream().findFirst().orElse("NAME") + "'");
         }
         try {
@@ -162,9 +162,9 @@ final class SettingsReader {
         if (type.getRawType() == Map.class) {
             return node instanceof Node.Mapping mapping
                     ? map(inner[1], quantity, mapping, path)
-                    : failed(node, path, "must be values by name, one per line, as in 'name: value'");
+                    : failed(node, path, "must be named values, one per line, as in 'name: value'");
         }
-        // A class with a type parameter, such as the settings of a sensor of whatever kind.
+        // A class with a type parameter, such as the settings of a sensor of any kind.
         return read(type.getRawType(), quantity, node, path);
     }
 

@@ -57,7 +57,7 @@ final class SettingsWriter {
     }
 
     /**
-     * A record as a part of a document: with its kind, where the setting that holds it is of a type with kinds.
+     * A record as a part of a document, with its kind if the setting that holds it is of a type with kinds.
      *
      * @throws InputException when something in it cannot be written in a file
      */
@@ -96,7 +96,7 @@ final class SettingsWriter {
         }
     }
 
-    /** Adds the switches of those that are off. */
+    /** Adds a switch to each entry that is off. */
     private static Node switched(SettingsForm form, RecordComponent part, Record settings, Node node) {
         if (!part.isAnnotationPresent(Switchable.class)) {
             return node;

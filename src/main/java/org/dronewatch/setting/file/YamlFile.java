@@ -30,7 +30,7 @@ import tools.jackson.dataformat.yaml.YAMLParser;
  * aliases are bounded.
  */
 final class YamlFile {
-    /** Largest file, bytes. */
+    /** Largest size of a file, bytes. */
     static final int MAX_BYTES = 1 << 20;
 
     /** Maximum number of nodes, with aliases expanded. */
@@ -146,7 +146,7 @@ final class YamlFile {
         if (root instanceof Node.Mapping mapping) {
             return mapping;
         }
-        throw new InputException(root.mark() + ": must be settings by name, as in 'world:'");
+        throw new InputException(root.mark() + ": must be named settings, as in 'world:'");
     }
 
     private Node node(JsonToken token) {

@@ -5,15 +5,15 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** Writes nodes as readable YAML: a line for each setting, short lists and mappings in one line. */
+/** Writes nodes as readable YAML: a line for each setting, with short lists and mappings on one line. */
 final class YamlText {
-    /** Longest line of a list or mapping that is written in one, characters. */
+    /** Longest line into which a whole list or mapping is written, characters. */
     private static final int WIDTH = 100;
 
     /** Mappings of more values have a line for each. */
     private static final int MOST_IN_A_LINE = 3;
 
-    /** From this depth on, a mapping may be written in one line; a drone or a sensor is less deep. */
+    /** From this depth on, a mapping may be written on one line; a drone or a sensor is less deep. */
     private static final int FLOW_DEPTH = 2;
 
     private static final String STEP = "  ";
@@ -41,7 +41,7 @@ final class YamlText {
         value(node, depth);
     }
 
-    /** What follows a name or a dash: in the same line if it fits, else on separate lines. */
+    /** Writes what follows a name or a dash: on the same line if it fits, otherwise on separate lines. */
     private void value(Node node, int depth) {
         if (fitsInALine(node, depth)) {
             text.append(' ').append(flow(node)).append('\n');

@@ -51,7 +51,7 @@ public enum FileKind {
      *
      * @param name name of the file
      * @param start the first bytes of the file, of which at most 200 are used
-     * @param wanted the setting in which the file was named: world.terrain, world.models or world.buildings
+     * @param wanted the setting under which the file was named: world.terrain, world.models or world.buildings
      * @return what is wrong; empty if the kind of the file cannot be determined, or if the file belongs there
      */
     public static Optional<String> misplaced(String name, byte[] start, String wanted) {
@@ -65,6 +65,6 @@ public enum FileKind {
                 .filter(kind -> kind.signature.test(lower, text))
                 .findFirst()
                 .filter(kind -> !kind.place.equals(wanted))
-                .map(kind -> "is " + kind.words + ", which belongs to " + kind.place + ", not to " + wanted);
+                .map(kind -> "is " + kind.words + ", which belongs under " + kind.place + ", not under " + wanted);
     }
 }

@@ -29,10 +29,13 @@ public record GroundInterference(
         double receiverHeight,
         double unevenness,
         TurbulentCoherence turbulence) {
-    /** In each part of a band Q and coherence are taken as constant; the phase of the path difference is integrated. */
+    /**
+     * The number of parts of a band. In each part, Q and the coherence are taken as constant, and the phase of the path
+     * difference is integrated.
+     */
     private static final int PARTS = 24;
 
-    /** Decades of an octave band (IEC 61260-1, base ten). */
+    /** Width of an octave band in decades (IEC 61260-1, base ten). */
     private static final double OCTAVE = 0.3;
 
     /**
@@ -64,7 +67,7 @@ public record GroundInterference(
         return energy(frequency, 0.0, directEnergy, reflectedEnergy);
     }
 
-    /** The mean over wave numbers in an interval of some width, 1/m, about that of a frequency. */
+    /** The mean over the wavenumbers in an interval of a given width, 1/m, centred on the wavenumber of a frequency. */
     private double energy(double frequency, double width, double directEnergy, double reflectedEnergy) {
         double waveNumber = waveNumber(frequency);
         double cosine = (sourceHeight + receiverHeight) / reflected;

@@ -20,10 +20,10 @@ public record TurbulentCoherence(double strength, double scale) {
     /** Moderate turbulence near the ground. */
     public static final TurbulentCoherence MODERATE = new TurbulentCoherence(5e-6, 1.1);
 
-    /** Below it the difference of 1 and rho is taken from its series, without cancellation. */
+    /** Below this ratio h / L, the difference between 1 and rho is taken from its series, to avoid cancellation. */
     private static final double SMALL = 1e-3;
 
-    /** Beyond it the error function is 1. */
+    /** Above this ratio, the error function is 1. */
     private static final double LARGE = 10.0;
 
     /**
@@ -39,11 +39,11 @@ public record TurbulentCoherence(double strength, double scale) {
     }
 
     /**
-     * The exponent of the coherence over the square of the wave number, m2: the coherence is
+     * The exponent of the coherence divided by the square of the wavenumber, m2: the coherence is
      * {@code exp(-exponent k^2)}.
      *
      * @param length length of the paths, m
-     * @param separation how far they are apart where they are farthest apart: {@link #separation}, m, 0 or more
+     * @param separation greatest distance between the two paths, as given by {@link #separation}, m, 0 or more
      */
     double exponent(double length, double separation) {
         return separation == 0.0

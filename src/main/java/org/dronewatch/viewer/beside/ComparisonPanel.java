@@ -24,8 +24,8 @@ import org.dronewatch.viewer.part.WrappedText;
 import org.dronewatch.viewer.run.RecordedRun;
 
 /**
- * Chooses another run, and states how it differs from the displayed one: in the settings of sensors, and in when each
- * drone is first detected, by any sensor and by each sensor. For the event thread.
+ * Chooses another run, and states how it differs from the displayed one: in the settings of sensors, and in the time at
+ * which each drone is first detected, by any sensor and by each sensor. For the event thread.
  */
 public final class ComparisonPanel extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -100,7 +100,7 @@ public final class ComparisonPanel extends JPanel {
         });
     }
 
-    /** Rows that differ are bold, besides what they say. */
+    /** Shows rows that differ in bold, in addition to the words that say so. */
     private final class Renderer extends DefaultTableCellRenderer {
         private static final long serialVersionUID = 1L;
 

@@ -10,7 +10,9 @@ import org.dronewatch.viewer.beside.DetectionComparison.Side;
 import org.dronewatch.viewer.part.TitledTable;
 import org.dronewatch.viewer.run.RecordedRun;
 
-/** Each drone with any sensor, then with each sensor: when it is first detected in two runs. For the event thread. */
+/**
+ * A table of when each drone is first detected in two runs: by any sensor, then by each sensor. For the event thread.
+ */
 final class ComparisonTable extends TitledTable {
     static final int DIFFERENCE = 4;
 

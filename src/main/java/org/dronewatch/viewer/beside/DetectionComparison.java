@@ -18,7 +18,7 @@ record DetectionComparison(String drone, Optional<String> sensor, Side here, Sid
     private static final double SAME = 0.005;
 
     /**
-     * One run's part.
+     * The part of one run in the comparison.
      *
      * @param exists whether the run has the sensor, switched on, and the drone
      * @param first the first detection, if there is one
@@ -26,7 +26,7 @@ record DetectionComparison(String drone, Optional<String> sensor, Side here, Sid
      * @param detects whether the drone is detected at the time shown
      */
     record Side(boolean exists, Optional<Observation> first, boolean finished, boolean detects) {
-        /** The time of the first detection, and by which sensor if that is not given. */
+        /** The time of the first detection, and the sensor that made it if none is given. */
         private String text(boolean isOfAny) {
             if (!exists) {
                 return "absent";

@@ -17,7 +17,10 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.viewer.part.Latest;
 import org.dronewatch.viewer.run.ViewedRun;
 
-/** Computes coverages on a thread, one at a time, as the command does and with what it has kept. */
+/**
+ * Computes coverages on a separate thread, one at a time, as the {@code coverage} command does and with the results
+ * that it has kept.
+ */
 final class CoverageComputing implements AutoCloseable {
     private final Latest thread;
     private final Function<SceneSettings, LayerStore> stores;
@@ -28,10 +31,10 @@ final class CoverageComputing implements AutoCloseable {
     private AtomicBoolean cancelled = new AtomicBoolean();
 
     /**
-     * Nothing is computed yet.
+     * Creates the thread; nothing is computed yet.
      *
-     * @param threads how many may help
-     * @param stores gives the store of what was computed before
+     * @param threads number of threads that may help
+     * @param stores returns the store of what was computed before
      * @param failed receives what went wrong
      */
     CoverageComputing(int threads, Function<SceneSettings, LayerStore> stores, Consumer<Throwable> failed) {
@@ -42,9 +45,9 @@ final class CoverageComputing implements AutoCloseable {
     /**
      * Computes a coverage.
      *
-     * @param settings of the run, perhaps with some of its sensors moved or turned
-     * @param target receives it on the event thread: after a cancellation the heights that are complete; empty without
-     *     one, or after a failure
+     * @param settings settings of the run, perhaps with some of its sensors moved or turned
+     * @param target receives the coverage on the event thread; after a cancellation, only the heights that are
+     *     complete; empty if none is complete, or after a failure
      */
     void compute(
             ViewedRun run,

@@ -14,8 +14,8 @@ import org.dronewatch.scenario.SceneSettings;
 import org.dronewatch.viewer.part.Latest;
 
 /**
- * Draws what is covered at one height anew while sensors are moved, on a thread: a coarse picture at once, which is not
- * abandoned, then finer ones until the sensors move on.
+ * Draws what is covered at one height anew while sensors are moved, on a separate thread: at once a coarse picture,
+ * which is never abandoned, then finer ones until the sensors move on.
  */
 final class CoverageDrafting implements AutoCloseable {
     /** The first picture is not made finer if that is expected to take longer than this, s. */
@@ -36,9 +36,9 @@ final class CoverageDrafting implements AutoCloseable {
     private final BooleanSupplier isPainting;
 
     /**
-     * Nothing is drawn.
+     * Creates the thread; nothing is drawn yet.
      *
-     * @param threads how many may help
+     * @param threads number of threads that may help
      * @param isPainting whether a picture is being painted, from any thread
      * @param failed receives what went wrong
      */
@@ -51,7 +51,7 @@ final class CoverageDrafting implements AutoCloseable {
      * Draws a coverage with some of its sensors moved or turned.
      *
      * @param before the coverage that was computed
-     * @param height its number
+     * @param height index of the height
      * @param off the sensors that are switched off
      * @param moved the settings with the sensors where they are now
      * @param target receives one picture after the other on the event thread
@@ -68,7 +68,7 @@ final class CoverageDrafting implements AutoCloseable {
         });
     }
 
-    /** No sensor is displaced any longer. */
+    /** Stops drawing, because no sensor is displaced any longer. */
     void stop() {
         thread.ask(outdated -> {});
     }

@@ -53,7 +53,7 @@ public final class CoverageForm extends JPanel {
     /**
      * An empty form.
      *
-     * @param button that computes
+     * @param button button that starts the computation
      * @param entered called when the user presses Enter in a field
      */
     CoverageForm(JButton button, Runnable entered) {
@@ -100,7 +100,7 @@ public final class CoverageForm extends JPanel {
     /** A text field of a number of columns; keys typed without modifiers do not trigger menu items. */
     public static JTextField field(String text, int columns) {
         JTextField field = new JTextField(text, columns);
-        // Keys without modifiers belong to the menus, except while one is typing.
+        // Keys without modifiers belong to the menus, except while the user is typing.
         field.addKeyListener(new KeyAdapter() {
             @Override
             public void keyPressed(KeyEvent e) {

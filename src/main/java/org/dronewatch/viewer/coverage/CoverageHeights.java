@@ -19,7 +19,7 @@ public final class CoverageHeights extends JPanel {
     private final JSlider slider = new JSlider(0, 1, 0);
 
     /**
-     * Nothing to choose yet.
+     * A chooser without heights.
      *
      * @param chosen called when the user has chosen another height
      * @param shown called when the user has shown or hidden the coverage
@@ -71,7 +71,7 @@ public final class CoverageHeights extends JPanel {
         }
     }
 
-    /** The number of the chosen height, from the lowest. */
+    /** The index of the chosen height, counted from the lowest. */
     int chosen() {
         return slider.getValue();
     }

@@ -90,7 +90,7 @@ public final class CoveragePanel extends JPanel {
         clear("");
     }
 
-    /** Above what changes with the pointer: the inputs, and the height that is shown. */
+    /** The part above the texts that change with the pointer: the inputs, and the height that is shown. */
     private JComponent controls() {
         JPanel said = new JPanel(new BorderLayout());
         said.add(progress, BorderLayout.NORTH);

@@ -5,7 +5,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.dronewatch.scenario.SceneSettings;
 
-/** Pictures of a coverage: as it was computed or, while sensors are moved, drawn anew. For the event thread. */
+/** Makes pictures of a coverage: as it was computed or, while sensors are moved, drawn anew. For the event thread. */
 final class CoveragePictures implements AutoCloseable {
     private final CoverageSkinning skinning;
     private final CoverageDrafting drafting;
@@ -22,7 +22,7 @@ final class CoveragePictures implements AutoCloseable {
     /**
      * Makes pictures.
      *
-     * @param height its number
+     * @param height index of the height
      * @param off the sensors that are switched off
      * @param settings the settings with the sensors where they are now
      * @param target receives them on the event thread, one after the other, until something else is wanted
@@ -49,7 +49,7 @@ final class CoveragePictures implements AutoCloseable {
         }
     }
 
-    /** Nothing is wanted any more. */
+    /** Stops making pictures, because none are wanted any more. */
     void stop() {
         wanted = null;
         drafting.stop();

@@ -23,7 +23,7 @@ record CoverageProposal(double side, List<Double> heights) {
 
     private static final List<Double> INDOORS = List.of(2.0, 5.0, 10.0, 20.0);
 
-    /** The side is a multiple of this, m. */
+    /** The length of which the side is a multiple, m. */
     private static final double STEP = 10.0;
 
     /** The proposal for a scene and its world. */
@@ -52,7 +52,7 @@ record CoverageProposal(double side, List<Double> heights) {
                 - ground;
     }
 
-    /** Half the side of the square about a middle that holds the site, m. */
+    /** Half the side of the square, about a given centre, that contains the site, m. */
     private static double reach(Position middle, AABB site) {
         double east = Math.max(site.maxX() - middle.x(), middle.x() - site.minX());
         double north = Math.max(site.maxY() - middle.y(), middle.y() - site.minY());

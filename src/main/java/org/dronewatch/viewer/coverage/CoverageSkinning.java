@@ -24,7 +24,7 @@ public final class CoverageSkinning implements AutoCloseable {
      * What is shown of a coverage.
      *
      * @param off the sensors that are switched off
-     * @param words what is covered, as a text
+     * @param words what is covered, in words
      * @param fineness fineness of what is shown while sensors are moved; empty if none was moved
      */
     public record Shown(
@@ -58,7 +58,7 @@ public final class CoverageSkinning implements AutoCloseable {
     /**
      * Makes a skin.
      *
-     * @param height its number
+     * @param height index of the height
      * @param off the sensors that are switched off
      * @param target receives it on the event thread, unless another one has been requested
      */

@@ -19,7 +19,10 @@ import org.dronewatch.analysis.survey.CellExaminer.CellEvidence;
 import org.dronewatch.report.coverage.table.CellWords;
 import org.dronewatch.viewer.part.Scaled;
 
-/** A check box for each sensor of a coverage, and whether it detects the drone in the cell under the pointer. */
+/**
+ * A check box for each sensor of a coverage, with a note on whether the sensor detects the drone in the cell under the
+ * pointer.
+ */
 public final class CoverageSwitches extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final String NONE = " ";
@@ -133,7 +136,7 @@ public final class CoverageSwitches extends JPanel {
         return "At " + words.deciding(there.evidence().get());
     }
 
-    /** States at once what the field keeps about a cell; margins are bounds in most cells, in dB. */
+    /** States at once what the field holds about a cell; margins, in dB, are bounds in most cells. */
     private void describe(CellWords words, FieldCoverage coverage) {
         for (Row row : sensors) {
             int sensor = coverage.field().sensors().indexOf(row.box().getText());
@@ -158,12 +161,12 @@ public final class CoverageSwitches extends JPanel {
         }
     }
 
-    /** No cell is pointed at. */
+    /** Clears what is shown about a cell, because none is pointed at. */
     void clearCell() {
         sensors.forEach(row -> row.write(NONE, NONE, NONE));
     }
 
-    /** A part that scrolls up and down. */
+    /** Puts a component into a pane that scrolls up and down. */
     static JScrollPane scrolling(JComponent content) {
         JScrollPane pane = new JScrollPane(
                 content,

@@ -11,7 +11,10 @@ import org.dronewatch.report.coverage.CoverageSkin.SkinCell;
 import org.dronewatch.report.coverage.table.CellWords;
 import org.dronewatch.viewer.part.Latest;
 
-/** The cell of a coverage under the pointer: at once what the field knows, then its evidence, assessed on a thread. */
+/**
+ * The cell of a coverage under the pointer: what the field holds about it at once, then its evidence, which is assessed
+ * on a separate thread.
+ */
 final class PointedCell implements AutoCloseable {
     private final Latest thread;
     private final Runnable changed;
@@ -27,7 +30,7 @@ final class PointedCell implements AutoCloseable {
     /**
      * A cell.
      *
-     * @param evidence empty until the cell has been assessed, and where the drone cannot be
+     * @param evidence the evidence; empty until the cell has been assessed, and in cells where the drone cannot be
      */
     record Cell(FieldCoverage coverage, int height, SkinCell at, CellWords words, Optional<CellEvidence> evidence) {
         boolean is(FieldCoverage other, int otherHeight, SkinCell otherAt) {
@@ -38,7 +41,7 @@ final class PointedCell implements AutoCloseable {
     /**
      * No cell.
      *
-     * @param changed called on the event thread when something else is known
+     * @param changed called on the event thread when more, or something else, is known
      * @param failed receives what went wrong
      */
     PointedCell(Runnable changed, Consumer<Throwable> failed) {
@@ -52,7 +55,7 @@ final class PointedCell implements AutoCloseable {
         update();
     }
 
-    /** The pointer is over another point of the site, or over none. */
+    /** Moves the pointer to another point of the site, or to none. */
     void point(Optional<Position> next) {
         place = next;
         update();

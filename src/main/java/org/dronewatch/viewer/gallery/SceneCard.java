@@ -75,7 +75,7 @@ final class SceneCard extends JPanel {
         return Character.toUpperCase(summary.charAt(0)) + summary.substring(1) + ".";
     }
 
-    /** What a key does while the card has the focus. */
+    /** Sets what a key does while the card has the focus. */
     void bind(int key, Runnable work) {
         String name = KeyEvent.getKeyText(key);
         button.getInputMap().put(KeyStroke.getKeyStroke(key, 0), name);

@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.dronewatch.sensor.Observation;
 
 /**
- * All that a sensor measured of a drone, in order of time. A very long run is thinned: once {@link #MOST} are kept,
- * every other one is forgotten. Guarded by its owner.
+ * All measurements that a sensor has made of a drone, in order of time. A very long run is thinned: once {@link #MOST}
+ * are kept, every other one is forgotten. Guarded by its owner.
  */
 final class Readings {
     /** Maximum number kept: 3 MB. */
@@ -58,7 +58,7 @@ final class Readings {
         stride *= 2;
     }
 
-    /** The last one up to a time. */
+    /** The last measurement up to a given time. */
     Optional<PairReading> at(double time) {
         int found = Arrays.binarySearch(times, 0, count, time);
         int last = found >= 0 ? found : -found - 2;

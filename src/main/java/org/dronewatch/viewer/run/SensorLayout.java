@@ -26,7 +26,7 @@ public final class SensorLayout {
     private SceneSettings original;
     private SceneSettings settings;
 
-    /** As it was written to a file last, or as the scene has it. */
+    /** The layout as it was last written to a file, or as the scene has it. */
     private SceneSettings saved;
 
     /** The settings saved last, if those of the next run have not been saved; otherwise null. */

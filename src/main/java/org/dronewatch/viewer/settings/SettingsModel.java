@@ -12,8 +12,8 @@ import org.dronewatch.viewer.part.TitledTable;
 import org.dronewatch.viewer.run.SensorLayout;
 
 /**
- * The settings of the selected sensor with their values and limits. A value that does not fit is refused in a line
- * beside it, and changes nothing. For the event thread.
+ * The settings of the selected sensor with their values and limits. A value that does not fit is refused, with the
+ * reason beside it, and changes nothing. For the event thread.
  */
 final class SettingsModel extends TitledTable {
     static final int VALUE = 1;

@@ -93,7 +93,7 @@ public final class SettingsPanel extends JPanel {
         }
     }
 
-    /** The texts of the table, in full in the tooltip; what was refused is red. */
+    /** Shows the texts of the table, which tooltips give in full; a refused value is red. */
     private final class Renderer extends DefaultTableCellRenderer {
         private static final long serialVersionUID = 1L;
 

@@ -54,11 +54,11 @@ class FlightAdviceTest {
     void climbAndSinkAreLimitsOfPoweredFlight() {
         FlightPerformance stated = FlightPerformance.TYPICAL.withClimb(3.0).withSink(2.0);
         assertThat(advice(stated, Ground.NONE, 10.0, straight(new Position(0, 9, 4))))
-                .containsExactly(
-                        "drone 'd' climbs at 4 m/s at 0.0 s, at (0.0, 0.0, 100.0) m: its performance allows 3 m/s");
+                .containsExactly("drone 'd' climbs at 4 m/s, 0.0 s after the start, at (0.0, 0.0, 100.0) m:"
+                        + " its performance allows 3 m/s");
         assertThat(advice(stated, Ground.NONE, 10.0, straight(new Position(0, 9, -2.5))))
-                .containsExactly(
-                        "drone 'd' descends at 2.5 m/s at 0.0 s, at (0.0, 0.0, 100.0) m: its performance allows 2 m/s");
+                .containsExactly("drone 'd' descends at 2.5 m/s, 0.0 s after the start, at (0.0, 0.0, 100.0) m:"
+                        + " its performance allows 2 m/s");
         assertThat(advice(stated, Ground.NONE, 10.0, straight(new Position(0, 9, 3))))
                 .as("exactly the limit")
                 .isEmpty();
@@ -75,7 +75,7 @@ class FlightAdviceTest {
     void whatGlidesTooFlatIsNamed() {
         FlightPath flat = straight(new Position(0, 10, -0.5), OptionalDouble.of(1.0));
         assertThat(advice(FlightPerformance.TYPICAL.withGlide(12.0, 10.0), Ground.NONE, 4.0, flat))
-                .containsExactly("drone 'd' has a glide ratio of 20 at 0.0 s, at (0.0, 0.0, 100.0) m:"
+                .containsExactly("drone 'd' has a glide ratio of 20, 0.0 s after the start, at (0.0, 0.0, 100.0) m:"
                         + " its performance allows 12");
         assertThat(advice(FlightPerformance.TYPICAL, Ground.NONE, 4.0, flat))
                 .as("a multirotor does not glide")
@@ -101,7 +101,7 @@ class FlightAdviceTest {
     void theCeilingIsAboveTheSurfaceBelow() {
         FlightPath level = straight(new Position(-10, 0, 0));
         assertThat(advice(FlightPerformance.TYPICAL.withCeiling(120.0), SLOPE, 30.0, level))
-                .containsExactly("drone 'd' is at a height of 130 m at 30.0 s, at (-300.0, 0.0, 100.0) m:"
+                .containsExactly("drone 'd' is at a height of 130 m, 30.0 s after the start, at (-300.0, 0.0, 100.0) m:"
                         + " its performance allows 120 m");
         assertThat(advice(FlightPerformance.TYPICAL.withCeiling(131.0), SLOPE, 30.0, level))
                 .isEmpty();
@@ -116,8 +116,8 @@ class FlightAdviceTest {
         FlightPath hovering = time -> new FlightState(START, new Position(0, 0, 0), 0.0);
         FlightPath landed = time -> new FlightState(new Position(0, 0, 0.1), new Position(0, 0, 0), 0.0);
         assertThat(advice(stated, SLOPE, 700.0, hovering))
-                .containsExactly("drone 'd' has flown under power for 700 s at 700.0 s, at (0.0, 0.0, 100.0) m:"
-                        + " its performance allows 600 s");
+                .containsExactly("drone 'd' has flown under power for 700 s, 700.0 s after the start,"
+                        + " at (0.0, 0.0, 100.0) m: its performance allows 600 s");
         assertThat(advice(stated, SLOPE, 600.0, hovering)).isEmpty();
         assertThat(advice(stated, SLOPE, 700.0, landed)).isEmpty();
     }

@@ -107,7 +107,7 @@ class AsciiGridFileTest {
     void otherFilesAreNamed() throws IOException {
         assertThatThrownBy(() -> open("{\"type\": \"FeatureCollection\"}"))
                 .isInstanceOf(InputException.class)
-                .hasMessageContaining("is a JSON file, which belongs to world.buildings, not to world.terrain");
+                .hasMessageContaining("is a JSON file, which belongs under world.buildings, not under world.terrain");
         assertThatThrownBy(() -> open("x y z 1 2 3"))
                 .isInstanceOf(InputException.class)
                 .hasMessageContaining(

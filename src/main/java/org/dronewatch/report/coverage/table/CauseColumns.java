@@ -11,8 +11,8 @@ import java.util.function.ToIntFunction;
 import org.dronewatch.sensor.Cause;
 
 /**
- * The columns of a table with a row for each sensor: that for what it detects, then one for each cause of misses that
- * occurs.
+ * The columns of a table with a row for each sensor: one for what the sensor detects, then one for each cause of misses
+ * that occurs.
  */
 record CauseColumns(List<Cause> causes) {
     /** Detected is the last of the causes and the first of the columns. */

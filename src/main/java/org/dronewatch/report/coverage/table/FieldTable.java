@@ -100,7 +100,7 @@ public final class FieldTable {
         return lines;
     }
 
-    /** Gains may cancel losses, or exceed them. */
+    /** The net loss at a height: gains may cancel losses, or exceed them. */
     private static String loss(HeightSummary height, String sensor) {
         int lost = height.lost().get(sensor);
         if (lost == 0 && height.changed().get(sensor) > 0) {

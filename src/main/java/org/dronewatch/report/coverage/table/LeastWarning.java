@@ -87,12 +87,15 @@ public record LeastWarning(String time, boolean isFromStart, List<Warning> fligh
         return isNone() && isMostOfACircle(all);
     }
 
-    /** Of an arc of more than half a turn, the two ends would suggest the other arc between them. */
+    /**
+     * Whether the bearings form one arc of more than half a turn, whose two ends would suggest the other arc between
+     * them.
+     */
     private boolean isMostOfACircle(List<Warning> all) {
         return 2 * flights.size() > of && flights.size() < of && starts(all).length == 1;
     }
 
-    /** Where arcs begin: the flight before is not among them. */
+    /** The indices at which arcs of these flights begin: the flight before is not one of them. */
     private int[] starts(List<Warning> all) {
         return IntStream.range(0, of)
                 .filter(i -> flights.contains(all.get(i)) && !flights.contains(all.get((i + of - 1) % of)))

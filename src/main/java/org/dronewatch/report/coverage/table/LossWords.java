@@ -39,7 +39,7 @@ public final class LossWords {
         return words + (remaining.gained() == 0 ? "" : " " + gained(remaining));
     }
 
-    /** Without a sensor, another course may count. */
+    /** What is lost and gained: without a sensor, another heading of the drone may count. */
     private static String gained(RemainingCoverage remaining) {
         return capital(part(remaining.gone(), remaining)) + " is lost and " + part(remaining.gained(), remaining)
                 + " is gained, where a different heading becomes the worst.";

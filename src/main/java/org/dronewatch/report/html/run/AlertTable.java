@@ -15,7 +15,9 @@ import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.RunResult;
 import org.dronewatch.run.Sightline;
 
-/** When the alert for each drone of a run was raised, and how early that was: a row for each drone or swarm. */
+/**
+ * A table of when the alert for each drone of a run was raised, and how early that was: a row for each drone or swarm.
+ */
 final class AlertTable {
     private static final int MAX_SENSORS = 4;
 
@@ -113,7 +115,7 @@ final class AlertTable {
         return row;
     }
 
-    /** How many of them have a value, and its range. */
+    /** How many of the alerts have a value, and the range of these values. */
     private static String counted(List<AlertResult> alerts, Function<AlertResult, OptionalDouble> value, String none) {
         long count = values(alerts, value).count();
         String range = ReadableNumbers.range(values(alerts, value));
@@ -125,8 +127,8 @@ final class AlertTable {
     }
 
     /**
-     * The delay from the drone's coming into view to the alert; empty for an earlier alert, and for one raised only by
-     * sensors without a field of view.
+     * The delay from the time at which the drone comes into view to the alert; empty for an earlier alert, and for one
+     * raised only by sensors without a field of view.
      */
     private OptionalDouble delay(AlertResult alert) {
         boolean byView = alert.sensors().stream()

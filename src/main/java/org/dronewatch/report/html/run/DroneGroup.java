@@ -12,7 +12,7 @@ import org.dronewatch.setting.Counted;
 /**
  * A unit of the report: a single drone, or all drones of a swarm.
  *
- * @param name of the drone or the swarm in the scene
+ * @param name name of the drone or the swarm in the scene
  * @param isSwarm whether it is a swarm, even of one drone
  * @param members names of its drones
  * @param role its role
@@ -30,7 +30,7 @@ record DroneGroup(String name, boolean isSwarm, List<String> members, ThreatLabe
                 .toList();
     }
 
-    /** All that flies in a scene, birds as well. */
+    /** Everything that flies in a scene, including birds. */
     static List<DroneGroup> all(SceneSettings scene) {
         List<DroneGroup> groups = new ArrayList<>();
         List<String> individuals = new ArrayList<>(scene.individualDrones().keySet());

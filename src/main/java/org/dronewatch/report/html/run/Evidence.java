@@ -22,7 +22,7 @@ final class Evidence {
 
     private final Set<String> materials = new TreeSet<>();
 
-    /** By name, at how many instants each building of the map hid the drone. */
+    /** The number of instants at which each building of the map hid the drone, by its name. */
     private final Map<String, Integer> buildings = new LinkedHashMap<>();
 
     private Cause cause = Cause.UNKNOWN;

@@ -127,7 +127,10 @@ final class FalseAlarmTables {
                         own.get(drone).getAsDouble() - trial.alerts().get(drone).getAsDouble()));
     }
 
-    /** How often each sensor raises a false alarm, and how many false alerts that gives where one sensor is enough. */
+    /**
+     * How often each sensor raises a false alarm, and how many false alerts that causes if one sensor is enough for an
+     * alert.
+     */
     private String sensors() {
         boolean isAlone = run.settings().alert().rule() instanceof AlertRule.AnySensor;
         List<String> head = new ArrayList<>(

@@ -19,8 +19,8 @@ import org.dronewatch.sensor.Observation;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * The drones that sensors of a run never detected, did not detect for part of the time, or lost and did not regain, and
- * why: a row for each sensor with each drone or swarm.
+ * Tables of the drones that sensors of a run never detected, did not detect for part of the time, or lost and did not
+ * regain, with the reasons: a row for each sensor with each drone or swarm.
  */
 final class Misses {
     /** In a larger swarm, reasons are determined for this number of drones, evenly spaced in the list. */
@@ -35,7 +35,7 @@ final class Misses {
     private final List<DroneGroup> groups;
     private final DetectionIntervals intervals;
 
-    /** By whether a sensor detects a drone at some time, the pairs of sensor and drone. */
+    /** The pairs of sensor and drone, by whether the sensor detects the drone at any time. */
     private final Map<Boolean, Set<List<String>>> pairs;
 
     Misses(RunResult run, RunLooks looks, Reasons reasons) {

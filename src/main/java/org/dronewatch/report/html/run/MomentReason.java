@@ -42,7 +42,7 @@ record MomentReason(Explanation explanation, String words) {
         String weak = settings.description().weakness();
         MomentReason missed = ofMiss(assessor, drone, pointing, weak);
         Cause cause = missed.explanation().cause();
-        // Rays would have to be traced to tell whether sound that has to pass an obstacle is loud enough.
+        // Rays would have to be traced to find out whether sound that has to pass an obstacle is loud enough.
         boolean mayBePassed = cause.isHidden() && assessor.interpolable().isEmpty();
         if (cause != Cause.TOO_WEAK && !mayBePassed) {
             return missed;

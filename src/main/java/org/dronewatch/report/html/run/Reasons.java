@@ -24,8 +24,8 @@ import org.dronewatch.sensor.Look;
 import org.dronewatch.sensor.SensorSettings;
 
 /**
- * Explains why a sensor did not detect a drone, and for what fraction of the time: out of range, out of its field of
- * view, hidden, and by which model, of a kind that the sensor cannot detect, or with too weak a signal.
+ * Explains why a sensor did not detect a drone, and for what fraction of the time: the drone was out of range, out of
+ * the field of view, hidden (and by which model), of a kind that the sensor cannot detect, or its signal was too weak.
  */
 final class Reasons {
     /** Number of instants of a run that are examined, besides its start. */
@@ -65,7 +65,7 @@ final class Reasons {
     /**
      * Why a sensor missed some drones, in words, the most frequent reason first.
      *
-     * @param drones that the sensor did not detect, at least one
+     * @param drones drones that the sensor did not detect, at least one
      * @param best the best look at any of them
      */
     String of(String sensor, List<String> drones, Optional<BestLook> best) {
@@ -94,7 +94,7 @@ final class Reasons {
      * given with the part of the run for which each holds.
      *
      * @param detected when the sensor detects which drone
-     * @param looks of the run
+     * @param looks looks of the run
      */
     String whileUndetected(String sensor, List<String> drones, DetectionIntervals detected, RunLooks looks) {
         double part = drones.stream()

@@ -29,8 +29,8 @@ public final class RunLooks {
     /**
      * The looks of a run that has not started yet.
      *
-     * @param duration of the run, s
-     * @param stage its site
+     * @param duration duration of the run, s
+     * @param stage site of the run
      */
     RunLooks(double duration, Stage stage) {
         this.stage = stage;

@@ -16,7 +16,7 @@ import org.dronewatch.run.AlertResult;
 import org.dronewatch.run.PairResult;
 import org.dronewatch.run.RunResult;
 
-/** All runs of a sweep, a row each, with what counts: drones detected, alerts, warning, in time. */
+/** All runs of a sweep, with a row for each: drones detected, alerts, warning time, and whether alerts were in time. */
 final class RunsTable {
     private final List<RunResult> runs;
     private final boolean zone;

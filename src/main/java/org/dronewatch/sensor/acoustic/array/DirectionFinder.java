@@ -22,10 +22,10 @@ import org.dronewatch.sound.OctaveBands;
  * added in quadrature. Immutable.
  */
 public final class DirectionFinder {
-    /** Width of an octave band over its midband frequency (IEC 61260-1, base ten). */
+    /** Width of an octave band divided by its midband frequency (IEC 61260-1, base ten). */
     private static final double OCTAVE = Math.pow(10.0, 0.15) - Math.pow(10.0, -0.15);
 
-    /** A direction with a larger error is not a measurement. */
+    /** A direction whose error is larger than this does not count as a measurement. */
     private static final double GREATEST = Math.toRadians(30.0);
 
     private final ArraySettings array;
@@ -45,7 +45,7 @@ public final class DirectionFinder {
     }
 
     /**
-     * Inverse variance of the direction over the sum of squared distances, 1/m2, from all bands together.
+     * Inverse variance of the direction divided by the sum of squared distances, 1/m2, from all bands together.
      *
      * @param ratios signal-to-noise ratio of one microphone in each octave band, dB; minus infinity where nothing is
      *     heard
@@ -62,9 +62,9 @@ public final class DirectionFinder {
     }
 
     /**
-     * The same of one narrow band.
+     * The same quantity for one narrow band.
      *
-     * @param snapshots how many independent ones
+     * @param snapshots number of independent snapshots
      * @param ratio signal-to-noise ratio of one microphone, 0 or more
      */
     double information(double frequency, double snapshots, double ratio) {
@@ -125,7 +125,7 @@ public final class DirectionFinder {
         }
         Direction direction = Direction.of(vector);
         double bearingError = bearingError(direction, ratios);
-        // Overhead a bearing means little, but the direction is as exact as anywhere.
+        // Overhead, a bearing means little, but the direction is as accurate as anywhere else.
         if (!(bearingError * Math.cos(direction.elevation()) <= GREATEST)) {
             return Optional.empty();
         }
@@ -133,7 +133,7 @@ public final class DirectionFinder {
         double turn = bearingError * random.nextGaussian();
         double raise = random.nextGaussian();
         boolean hasElevation = elevationError <= GREATEST;
-        // A level ring hears from below what it hears from above; it assumes that everything is above.
+        // A level ring cannot distinguish sound from below from sound from above; it assumes that everything is above.
         double truth = this.array.shape() == ArraySettings.Shape.RING
                 ? Math.abs(direction.elevation())
                 : direction.elevation();

@@ -4,18 +4,18 @@ import java.util.Arrays;
 import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 
 /**
- * Pieces of parabolas, which a plane cuts from curved surfaces, until they are divided into straight pieces. For use by
- * one thread.
+ * Collects the pieces of parabolas in which a plane cuts curved surfaces, and divides them into straight pieces. For
+ * use by one thread.
  */
 final class BentPieces {
     private static final int MOST_PARTS = 1000;
 
     private final CutOutline outline;
 
-    /** The points at both ends of each. */
+    /** The points at both ends of each piece. */
     private int[] ends = new int[128];
 
-    /** How much farther across the line each surface is where it is higher by 1 m. */
+    /** The distance across the line by which each surface is displaced for each metre by which it is raised, m. */
     private double[] steepness = new double[64];
 
     private int count;
@@ -43,8 +43,8 @@ final class BentPieces {
     }
 
     /**
-     * Divides the pieces into parts that are nearly straight, and adds these to the outline. They are divided at every
-     * point of the mesh that lies on them, too: under a wall on bent ground there must be no gap.
+     * Divides the pieces into parts that are nearly straight, and adds these to the outline. They are also divided at
+     * every point of the mesh that lies on them: there must be no gap under a wall on bent ground.
      */
     void divide(double curvature) {
         int ofMesh = outline.points();
@@ -82,7 +82,7 @@ final class BentPieces {
         }
     }
 
-    /** How far across the line a piece is at a distance along it, m. */
+    /** The coordinate of a piece across the line at a distance along the line, m. */
     private double across(int piece, double along, double curvature) {
         int start = ends[2 * piece];
         int end = ends[2 * piece + 1];

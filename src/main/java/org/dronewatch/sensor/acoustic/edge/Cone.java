@@ -3,12 +3,12 @@ package org.dronewatch.sensor.acoustic.edge;
 /**
  * The directions in a plane in which the surfaces of an obstacle leave a point of its outline, as the narrowest cone
  * that contains them. If it is narrower than a half-plane, the point is a corner that a path can bend round; at the end
- * of a sheet the cone has no width.
+ * of a sheet, the cone has no width.
  */
 final class Cone {
     private static final double STRAIGHT = 1e-9;
 
-    /** The borders, of length 1: the first is clockwise of the second. */
+    /** The unit vectors along the borders: the first is clockwise of the second. */
     private double firstU;
 
     private double firstV;
@@ -52,7 +52,7 @@ final class Cone {
         }
     }
 
-    /** Whether a path can bend around the point: the cone is narrower than a half-plane, and something is in it. */
+    /** Whether a path can bend around the point: the cone is narrower than a half-plane, and is not empty. */
     boolean isCorner() {
         return !empty && !tooWide && Math.hypot(firstU + lastU, firstV + lastV) > STRAIGHT;
     }
@@ -75,7 +75,7 @@ final class Cone {
         return Math.PI - width;
     }
 
-    /** The direction of length 1 through the cone's middle; of a corner. */
+    /** The u component of the unit vector through the middle of the cone, which must be that of a corner. */
     double middleU() {
         return (firstU + lastU) / Math.hypot(firstU + lastU, firstV + lastV);
     }

@@ -10,7 +10,7 @@ final class CutOutline {
     private double[] u = new double[256];
     private double[] v = new double[256];
 
-    /** Whether the mesh has a corner or an edge at a point; others divide pieces that are bent. */
+    /** Whether the mesh has a corner or an edge at a point; the other points divide bent pieces. */
     private boolean[] isOfMesh = new boolean[256];
 
     private Cone[] cones = new Cone[0];
@@ -18,7 +18,7 @@ final class CutOutline {
     private int[] ends = new int[512];
     private int pieces;
 
-    /** Hash table with open addressing: one more than the index of a point, 0 for none. */
+    /** A hash table with open addressing: each slot holds one more than the index of a point, or 0 if it is free. */
     private int[] table = new int[1024];
 
     /** Removes all pieces, and makes room for at most this many points of the mesh. */
@@ -33,7 +33,7 @@ final class CutOutline {
         }
     }
 
-    /** The point of the mesh at some coordinates, which may be known already. */
+    /** The point of the mesh at given coordinates: a known one, or a new one. */
     int point(double atU, double atV) {
         long bits = Double.doubleToLongBits(atU) * 0x9E3779B97F4A7C15L + Double.doubleToLongBits(atV);
         bits *= 0xC2B2AE3D27D4EB4FL;
@@ -66,7 +66,7 @@ final class CutOutline {
         return points++;
     }
 
-    /** Adds a piece between two points; none if they are one. */
+    /** Adds a piece between two points, unless they are the same. */
     void add(int start, int end) {
         if (start == end) {
             return;
@@ -102,7 +102,7 @@ final class CutOutline {
         }
     }
 
-    /** How many ends of pieces there are. */
+    /** The number of points at which pieces end. */
     int points() {
         return points;
     }
@@ -115,7 +115,7 @@ final class CutOutline {
         return v[point];
     }
 
-    /** Whether the mesh has a corner or an edge at a point: not where a piece was only divided. */
+    /** Whether the mesh has a corner or an edge at a point, rather than a piece having been divided there. */
     boolean isOfMesh(int point) {
         return isOfMesh[point];
     }

@@ -9,9 +9,9 @@ import org.dronewatch.world.World;
 
 /**
  * The shortest path around the obstacles between two points, over any number of edges: the shortest convex path within
- * any one plane through both points. {@value #PLANES} planes are tried, more if no path is found, and the best ones are
- * rotated about the line between the points until the path cannot be shortened. For a single straight edge, this is the
- * globally shortest path; over several, it is the path used by the standards, which treat propagation in separate
+ * any one plane through both points. {@value #PLANES} planes are tried, or more if no path is found, and the best ones
+ * are rotated about the line between the points until the path cannot be shortened. For a single straight edge, this is
+ * the globally shortest path; over several, it is the path used by the standards, which treat propagation in separate
  * planes. A path through an opening that none of the planes intersects is not found.
  *
  * <p>Short detours are tried first, in the vertical and the horizontal plane before the others, so that only obstacles
@@ -31,15 +31,15 @@ public final class EdgePath {
 
     /**
      * The longest detour of a path in the vertical or the horizontal plane that is used as a bound, m. Most paths lead
-     * over a building or around it, and one plane costs a twelfth of all. A bound that is much too large makes the
-     * other planes slower, but not less accurate.
+     * over a building or around it, and one plane costs a twelfth of what all planes cost. A bound that is much too
+     * large makes the other planes slower, but not less accurate.
      */
     private static final double LONGEST_BOUND = 32.0;
 
     /** Other planes are rotated, too, if their detour is at most this multiple of the shortest. */
     private static final double NEARLY_AS_SHORT = 1.15;
 
-    /** No path is longer than this multiple of one by way of the farthest point of the world. */
+    /** No path is longer than this multiple of the path by way of the farthest point of the world. */
     private static final double TO_AND_FRO = 4.0;
 
     private static final int TURNS = 11;
@@ -60,7 +60,7 @@ public final class EdgePath {
     private double arcDifference;
     private final EdgeSequence shortest = new EdgeSequence();
 
-    /** The shortest paths about the planes that were rotated, one of which is the shortest of all. */
+    /** The shortest paths found by rotating each of the planes, one of which is the shortest of all. */
     private final EdgeSequence[] ofMinima = new EdgeSequence[PLANES];
 
     private int minima;
@@ -120,7 +120,7 @@ public final class EdgePath {
         do {
             limit = straight + detour;
             if (limit >= farthest) {
-                // A taut string stays within the hull of the world and its ends, but may go to and fro in it.
+                // A taut string stays within the hull of the world and its ends, but may go to and fro within it.
                 limit = TO_AND_FRO * farthest;
             }
             search(limit);
@@ -244,18 +244,24 @@ public final class EdgePath {
         }
     }
 
-    /** Rotates a plane by up to a step to either side, to where its path is shortest. */
+    /** Rotates a plane by up to a step to either side, to the angle at which its path is shortest. */
     private void turn(double angle, double step) {
         double limit = bound(Double.POSITIVE_INFINITY);
         GoldenSection.search(at -> detour(at, limit), angle, step, TURNS);
     }
 
-    /** The longest path that is still of interest: once one is known, planes with a much longer one are not rotated. */
+    /**
+     * The length of the longest path that is still of interest, m: once a path is known, planes with a much longer one
+     * are not rotated.
+     */
     private double bound(double limit) {
         return isFound() ? Math.min(limit, straight + 1.2 * pathDifference + 1e-3) : limit;
     }
 
-    /** The detour of the shortest path in a plane, m, kept if none was shorter; infinity if it is beyond the limit. */
+    /**
+     * The detour of the shortest path in a plane, m; infinity if it is beyond the limit. The path is kept if it is the
+     * shortest so far.
+     */
     private double detour(double angle, double limit) {
         Position side = line.side(angle);
         cut.cut(line.from(), line.to(), line.ahead(), side, PathCurvature.reach(curvature, straight, limit), curvature);

@@ -9,12 +9,12 @@ final class GoldenSection {
     private GoldenSection() {}
 
     /**
-     * Evaluates a function at points that approach a minimum of it. Of two equal values, the one nearer to the middle
-     * is followed.
+     * Evaluates a function at points that approach a minimum of it. If two values are equal, the search continues at
+     * the one nearer to the middle.
      *
-     * @param function which keeps its best point itself
-     * @param middle of the interval that is searched
-     * @param half half of the interval's length
+     * @param function the function, which itself keeps its best point
+     * @param middle middle of the interval that is searched
+     * @param half half the length of the interval
      * @param steps number of times by which the interval is shortened
      */
     static void search(DoubleUnaryOperator function, double middle, double half, int steps) {

@@ -31,7 +31,7 @@ public final class NearEdges {
     /** An obstacle may rise above the path that touches its edge by this angle, rad. */
     private static final double TOUCHING = 1e-3;
 
-    /** Distance from the edge of the path along which the edge must be visible, m. */
+    /** Distance at which the path along which the edge must be visible passes the edge, m. */
     private static final double PASSING = 1e-4;
 
     private static final double NOTHING = 1e-9;
@@ -106,13 +106,15 @@ public final class NearEdges {
         return edges;
     }
 
-    /** How much higher an edge is where arcs of sound are drawn as straight lines, m: that of its nearest point. */
+    /**
+     * The height by which an edge is raised when arcs of sound are drawn as straight lines, at its nearest point, m.
+     */
     private double raised(Position source, Position sensor, double straight, Position one, Position other) {
         if (curvature == 0.0) {
             return 0.0;
         }
         double raised = 0.0;
-        // The edge is moved to where it belongs, and its nearest point with it.
+        // The edge is raised by this height, which also moves its nearest point.
         for (int round = 0; round < 2; round++) {
             Position at = nearest(source, sensor, one, other, raised);
             double along = at.minus(source).dot(sensor.minus(source)) / straight;
@@ -126,10 +128,10 @@ public final class NearEdges {
     }
 
     /**
-     * The point of an edge over which the path is shortest: where it is straight once both legs are turned into a
-     * plane.
+     * The point of an edge over which the path is shortest: the point at which the path is straight once both legs are
+     * turned into one plane.
      *
-     * @param raised by how much the edge is higher when arcs of sound are drawn as straight lines, m
+     * @param raised height by which the edge is raised when arcs of sound are drawn as straight lines, m
      */
     private static Position nearest(Position source, Position sensor, Position low, Position high, double raised) {
         Position one = raised == 0.0 ? low : low.plus(new Position(0.0, 0.0, raised));
@@ -150,7 +152,7 @@ public final class NearEdges {
 
     /**
      * The angle by which the triangles of an edge bend in the plane through both ends of the line and a point of the
-     * edge; 0 where they would not obstruct a line on the other side of it.
+     * edge; 0 if they would not obstruct a line on the other side of the edge.
      */
     private double bend(
             Position source,
@@ -166,7 +168,7 @@ public final class NearEdges {
         Position beside = vector.minus(ahead.times(u));
         double v = beside.length();
         if (v < NOTHING) {
-            // The line touches the edge: the obstacle is on the side on which its triangles are.
+            // The line touches the edge: the obstacle is on the side of the edge's triangles.
             beside = new Position(0.0, 0.0, 0.0);
             for (int triangle : triangles) {
                 Position inward = inward(triangle, ofMesh, edge);
@@ -254,10 +256,10 @@ public final class NearEdges {
                 mesh.coordinate(triangle, corner, 2));
     }
 
-    /** The corners of an edge, in the same order for all triangles of the edge. */
+    /** The key of an edge: its corners, in the same order for all triangles of the edge. */
     private Key key(int triangle, int k) {
         int next = (k + 1) % 3;
-        // Zeros of both signs are one coordinate.
+        // Positive and negative zeros are the same coordinate.
         float x = 0.0f + mesh.coordinate(triangle, k, 0);
         float y = 0.0f + mesh.coordinate(triangle, k, 1);
         float z = 0.0f + mesh.coordinate(triangle, k, 2);

@@ -7,10 +7,15 @@ import java.util.Arrays;
  * compared only with the pieces of the strips that it traverses. For use by one thread.
  */
 final class PieceStrips {
-    /** Both ends of each piece, u and v: legs are compared with pieces most of the time. */
+    /**
+     * The coordinates u and v of both ends of each piece, kept here since comparing legs with pieces takes most of the
+     * time.
+     */
     private double[] ends = new double[256];
 
-    /** The pieces that reach into each strip across the line: the index of the first entry of each strip. */
+    /**
+     * For each strip across the line, the index of its first entry in the list of the pieces that reach into strips.
+     */
     private int[] strips = new int[2];
 
     private int[] entries = new int[256];
@@ -24,8 +29,8 @@ final class PieceStrips {
     /**
      * Sorts the pieces of an outline.
      *
-     * @param outline with pieces that paths may not cross
-     * @param distance of the far end of all paths from the origin, m
+     * @param outline the outline, whose pieces paths may not cross
+     * @param distance distance of the far end of all paths from the origin, m
      * @param limit maximum length of a path, m
      */
     void sort(CutOutline outline, double distance, double limit) {
@@ -60,7 +65,8 @@ final class PieceStrips {
         if (entries.length < all) {
             entries = new int[2 * all];
         }
-        // While entries are written, the slot after a strip's holds where its next one goes.
+        // While entries are written, the slot after that of a strip holds the index at which the strip's next entry is
+        // to be written.
         for (int i = 0; i < pieces; i++) {
             for (int s = firstStrip(i); s <= lastStrip(i); s++) {
                 entries[strips[s + 1]++] = i;
@@ -76,7 +82,7 @@ final class PieceStrips {
         return strip(Math.max(ends[4 * piece], ends[4 * piece + 2]));
     }
 
-    /** How many times legs and pieces have been compared since the pieces were sorted. */
+    /** The number of comparisons of legs with pieces since the pieces were sorted. */
     int comparisons() {
         return comparisons;
     }

@@ -8,14 +8,17 @@ import org.dronewatch.kdtree.EllipsoidQuery;
 /**
  * The outline of a world in a plane through two points, near those points: the straight pieces in which the plane cuts
  * triangles, in coordinates u along the line from the first point to the second and v across it. Pieces that share a
- * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is taken for one
- * an infinitesimal distance beside it, so that each triangle is cut in one piece or not at all.
+ * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is treated as if
+ * it lay an infinitesimal distance to one side of them, so that each triangle is cut in one piece or not at all.
  *
- * <p>Where sound travels in arcs, the outline is bent the other way, so that the arcs are straight lines in it; its
- * pieces are divided, as a flat ground becomes a bulge. For use by one thread.
+ * <p>If sound travels in arcs, the outline is bent in the opposite direction, so that the arcs are straight lines in
+ * it; its pieces are divided, since flat ground becomes a bulge. For use by one thread.
  */
 final class PlaneCut {
-    /** Corners nearer to the plane than this, m, lie on it: shorter pieces would have no meaningful direction. */
+    /**
+     * Corners nearer to the plane than this, m, are taken to lie on it: shorter pieces would have no meaningful
+     * direction.
+     */
     private static final double ON_PLANE = 1e-7;
 
     private final TriangleMesh mesh;
@@ -37,7 +40,7 @@ final class PlaneCut {
     private final double[] crossing = new double[3];
     private final double[] surfaceNormal = new double[3];
 
-    /** The points at which the sides of a bent triangle are cut, two for each side at most. */
+    /** The points at which the sides of a bent triangle are cut, at most two for each side. */
     private final int[] crossed = new int[6];
 
     private int crossings;
@@ -53,10 +56,10 @@ final class PlaneCut {
      *
      * @param from the first point
      * @param to the second
-     * @param ahead from the first to the second, of length 1
-     * @param side in the plane, perpendicular to that, of length 1
-     * @param sum of the distances from both points of a point on the ellipsoid, m
-     * @param curvature of sound from one point to the other, either way, 1/m
+     * @param ahead unit vector from the first point to the second
+     * @param side unit vector in the plane, perpendicular to {@code ahead}
+     * @param sum sum of the distances of a point on the ellipsoid from both points, m
+     * @param curvature curvature of sound from one point to the other, in either direction, 1/m
      */
     void cut(Position from, Position to, Position ahead, Position side, double sum, double curvature) {
         this.origin = from;
@@ -66,7 +69,8 @@ final class PlaneCut {
         this.curvature = curvature;
         Position normal = ahead.cross(side);
         query.findAtPlane(from, to, sum, normal, ON_PLANE + greatestSag(sum) * Math.abs(normal.z()));
-        // Two sides of a triangle are cut in one point each, or bent ones all in two.
+        // Two sides of a triangle are cut at one point each; of a bent triangle, each of the three sides may be cut at
+        // two.
         outline.clear((curvature == 0.0 ? 2 : 6) * query.count());
         bentPieces.clear();
         for (int i = 0; i < query.count(); i++) {
@@ -87,23 +91,26 @@ final class PlaneCut {
         return outline;
     }
 
-    /** How much higher across the line the outline is than the mesh, at a distance along the line, m. */
+    /** The height across the line of the outline above the mesh, at a distance along the line, m. */
     double bulgeAt(double along) {
         return sag(along) * side.z();
     }
 
-    /** The most by which the outline is higher or lower than the mesh within an ellipsoid, m. */
+    /** The greatest height by which the outline is above or below the mesh within an ellipsoid, m. */
     private double greatestSag(double sum) {
         double beyond = 0.5 * (sum - straight);
         return Math.abs(curvature) * Math.max(0.125 * straight * straight, 0.5 * beyond * (straight + beyond));
     }
 
-    /** How far arcs of sound run below the line, m; continued beyond its ends. */
+    /** The depth of arcs of sound below the line, m; continued beyond its ends. */
     private double sag(double along) {
         return 0.5 * curvature * along * (straight - along);
     }
 
-    /** Cuts a triangle that is bent as the arcs of sound are, the other way: its sides are parabolas. */
+    /**
+     * Cuts a triangle that is bent by as much as the arcs of sound, but in the opposite direction: its sides are
+     * parabolas.
+     */
     private void cutBent(int found, Position normal) {
         for (int k = 0; k < 3; k++) {
             double[] c = corner[k];
@@ -121,9 +128,10 @@ final class PlaneCut {
         }
         mesh.normal(query.triangle(found), surfaceNormal);
         double across = along(surfaceNormal, side);
-        // Surfaces are bent across the line only, as far as the vertical is across it.
+        // Surfaces are bent only across the line, by the component of the vertical that is across it.
         double raised = surfaceNormal[2] - along(surfaceNormal, ahead) * ahead.z();
-        // Across the line there is one point of the plane and the surface at each distance along it, or all are at two.
+        // At each distance along the line, there is one point that lies in both the plane and the surface; otherwise,
+        // such points exist at only two distances.
         sortCrossings();
         for (int i = 0; i + 1 < crossings; i += 2) {
             if (crossed[i] != crossed[i + 1]) {
@@ -141,11 +149,11 @@ final class PlaneCut {
         double ofFrom = height[one];
         double ofTo = height[other];
         double run = along(to, ahead) - along(from, ahead);
-        // Height over the plane: (1 - t) ofFrom + t ofTo + bow t (1 - t).
+        // Height above the plane: (1 - t) ofFrom + t ofTo + bow t (1 - t).
         double bow = 0.5 * curvature * run * run * vertical;
         double half = 0.5 * (ofTo - ofFrom + bow);
         double root = Math.sqrt(Math.max(0.0, half * half + bow * ofFrom));
-        // Of both roots one is computed without cancellation, and the other from their product.
+        // Of the two roots, one is computed without cancellation, and the other from their product.
         double greater = half >= 0.0 ? half + root : half - root;
         double first = bow == 0.0 ? Double.NaN : greater / bow;
         double second = greater == 0.0 ? Double.NaN : -ofFrom / greater;
@@ -170,7 +178,7 @@ final class PlaneCut {
     }
 
     private int bent(double[] at) {
-        // Points are bent only across the line, so that what is straight remains a parabola over u.
+        // Points are displaced only across the line, so that a straight line becomes a parabola over u.
         return outline.point(along(at, ahead), along(at, side) + sag(along(at, ahead)) * side.z());
     }
 

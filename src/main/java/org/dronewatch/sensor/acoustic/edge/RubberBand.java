@@ -4,29 +4,32 @@ import java.util.Arrays;
 
 /**
  * The shortest path between two points around the outline of obstacles in a plane: a taut string. It is straight from
- * corner to corner of the outline, and at each it bends around the outline without crossing it; found by A* over such
- * legs. For use by one thread.
+ * corner to corner of the outline, and at each corner it bends around the outline without crossing it. It is found by
+ * A* over such legs. For use by one thread.
  */
 final class RubberBand {
     /**
-     * Distance at which the path passes a corner, m. It keeps legs along a face off that face; gaps narrower than twice
-     * this are closed. Lengths are those of the path without it.
+     * Distance at which the path passes a corner, m. This distance keeps legs that run along a face off that face; gaps
+     * narrower than twice this distance are closed. It does not affect the lengths of paths.
      */
     private static final double PASSING = 5e-5;
 
     /**
-     * Tolerance of the test whether the path bends around a corner, rad: a leg may enter the faces at its ends at this
-     * angle, and the path may bend away from them by it.
+     * Tolerance of the test whether the path bends around a corner, rad: a leg may enter the faces at its ends at up to
+     * this angle, and the path may bend away from them by up to this angle.
      */
     private static final double TOUCHING = 1e-3;
 
     /**
-     * A search that compares legs with pieces more often than this is abandoned: there may be no path, as out of a
-     * closed building. Of 600 paths at random places in a cathedral none needs more.
+     * A search that compares legs with pieces more often than this is abandoned: there may be no path, for instance out
+     * of a closed building. None of 600 paths between random positions in a cathedral needs more.
      */
     private static final int MOST_COMPARISONS = 100_000;
 
-    /** The path begins at this node, ends at the last one, and goes round the corners that the others are. */
+    /**
+     * The node at which the path begins; it ends at the last node, and the other nodes are the corners round which it
+     * may go.
+     */
     private static final int ORIGIN = 0;
 
     private int nodes;
@@ -50,8 +53,8 @@ final class RubberBand {
     /**
      * Searches for the shortest path from the origin to a point on the u axis.
      *
-     * @param outline what may not be crossed
-     * @param distance of the far end, m
+     * @param outline the outline, which may not be crossed
+     * @param distance distance of the far end, m
      * @param limit maximum length of a path, m
      * @return whether one was found
      */
@@ -104,7 +107,7 @@ final class RubberBand {
         return v[path[corner]];
     }
 
-    /** By how much the outline bends at a corner of the path, rad. */
+    /** The angle by which the outline bends at a corner of the path, rad. */
     double bend(int corner) {
         int at = point[path[corner]];
         return cut.isOfMesh(at) ? cut.cone(at).bend() : 0.0;
@@ -140,7 +143,10 @@ final class RubberBand {
         nodes++;
     }
 
-    /** Tries the legs from a node to all others, first to the end: once a path is known, only shorter ones matter. */
+    /**
+     * Tries the legs from a node to all others, beginning with the leg to the end: once a path is known, only shorter
+     * ones matter.
+     */
     private void relax(int from, double limit) {
         int end = nodes - 1;
         double beforeU = u[from] - u[before[from]];
@@ -171,7 +177,7 @@ final class RubberBand {
      * other legs. Only the shortest path to a node matters, so the turn at its end is known.
      *
      * @param turn positive if the path turns to the left where the leg begins
-     * @param slack how far it may turn to the wrong side
+     * @param slack angle by which it may turn to the wrong side
      */
     private boolean bendsAround(int node, double du, double dv, double leg, double turn, double slack) {
         if (point[node] < 0) {

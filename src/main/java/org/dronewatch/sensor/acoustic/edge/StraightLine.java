@@ -9,10 +9,10 @@ import org.dronewatch.geometry.Position;
  * @param from the end with the lower coordinates, m
  * @param to the other end, m
  * @param isExchanged whether the line begins at the sensor
- * @param length of the line, m
+ * @param length length of the line, m
  * @param ahead unit vector along it; zero for a line without length
- * @param across a horizontal unit vector across it; any for a vertical line
- * @param up a unit vector across both
+ * @param across a horizontal unit vector across it; for a vertical line, any such vector
+ * @param up a unit vector perpendicular to both
  */
 record StraightLine(
         Position from, Position to, boolean isExchanged, double length, Position ahead, Position across, Position up) {
@@ -31,13 +31,13 @@ record StraightLine(
     /**
      * A unit vector across the line.
      *
-     * @param angle from {@link #up} to {@link #across}, rad
+     * @param angle angle from {@link #up} towards {@link #across}, rad
      */
     Position side(double angle) {
         return up.times(Math.cos(angle)).plus(across.times(Math.sin(angle)));
     }
 
-    /** The sum of distances from the ends beyond which nothing of a box is left out, m. */
+    /** The greatest sum of the distances from the ends of any point of a box, m. */
     double farthest(AABB box) {
         double farthest = length;
         for (int i = 0; i < 8; i++) {
@@ -57,7 +57,7 @@ record StraightLine(
         return one.y() != other.y() ? one.y() > other.y() : one.z() > other.z();
     }
 
-    /** Horizontal, so that the first plane is vertical. */
+    /** A horizontal unit vector across a direction; it is horizontal so that the first plane is vertical. */
     private static Position across(Position ahead) {
         Position across = new Position(ahead.y(), -ahead.x(), 0.0);
         double length = across.length();

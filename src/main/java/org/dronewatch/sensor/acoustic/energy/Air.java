@@ -8,7 +8,10 @@ import org.dronewatch.sound.OctaveBands;
 final class Air {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** Up to this distance the fractions left are tabulated, one row of bands a metre: this fits the fastest cache. */
+    /**
+     * The fractions that are left are tabulated up to this distance, m, with one row of bands for each metre: a table
+     * of this size fits the fastest cache.
+     */
     private static final int TABULATED = 256;
 
     private final double[] exponents = new double[BANDS];
@@ -35,13 +38,13 @@ final class Air {
     }
 
     /**
-     * Deducts what the air absorbs over a distance. Rays spend much of their time here: up to a few hundred metres the
-     * fraction left is that of the nearest whole metre times a short Taylor series, whose error is below 3e-12 (0.3
-     * dB/m, more than in any air, is an exponent of 0.035 over half a metre).
+     * Deducts the energy that the air absorbs over a distance. Tracing spends much of its time here. Up to a few
+     * hundred metres, the fraction left is that of the nearest whole metre times a short Taylor series, whose error is
+     * below 3e-12 (0.3 dB/m, more than in any air, is an exponent of 0.035 over half a metre).
      *
-     * @param energies in each band
-     * @param distance m
-     * @param absorbed for each band, the sum of what the air has absorbed so far, to which this is added
+     * @param energies energy in each band
+     * @param distance distance, m
+     * @param absorbed for each band, the energy that the air has absorbed so far, to which this is added
      */
     void attenuate(double[] energies, double distance, double[] absorbed) {
         int metre = (int) (distance + 0.5);

@@ -6,8 +6,8 @@ import org.dronewatch.sensor.acoustic.imagesource.SpecularLeg;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
- * How a ray from the start reached the surface that it hits: its legs between scatterings, straight, over walls or
- * through them. For use by one thread.
+ * The path by which a ray from the start reached the surface that it hits: its legs between scatterings, which are
+ * straight, lead via reflecting walls or pass through walls. For use by one thread.
  */
 final class Arrival {
     private final SpecularLeg leg = new SpecularLeg();
@@ -16,7 +16,7 @@ final class Arrival {
 
     private static final int LEGS = Connections.FROM_TARGET + 1;
 
-    /** The inverse densities of the last legs, the one that ends here first. */
+    /** The inverse densities of the last legs, beginning with the one that ends here. */
     private final double[] inverseDensities = new double[LEGS];
 
     /** Whether each of these legs went through a wall. */
@@ -28,7 +28,7 @@ final class Arrival {
     /** Whether rays from the target are not connected at these legs but may merge with this one where they end. */
     private final boolean[] isMerging = new boolean[LEGS];
 
-    /** How many surfaces the ray had hit where each of these legs ends, including the one there. */
+    /** The number of surfaces that the ray had hit at the end of each of these legs, including the surface there. */
     private final int[] orders = new int[LEGS];
 
     private boolean isFromStart;
@@ -37,7 +37,7 @@ final class Arrival {
     private ReceiverSphere receiver;
 
     /**
-     * A new ray.
+     * Begins a new ray.
      *
      * @param ofStart the sphere in which rays from the target that pass the start are counted
      */
@@ -52,9 +52,9 @@ final class Arrival {
     }
 
     /**
-     * Records that the ray was scattered where it begins.
+     * Records that the ray was scattered at its origin.
      *
-     * @param cosine of the angle between the new direction and the surface's normal
+     * @param cosine cosine of the angle between the new direction and the surface's normal
      */
     void scatter(AcousticRay ray, double cosine) {
         isFromStart = false;
@@ -72,9 +72,9 @@ final class Arrival {
     /**
      * Records that the ray hit a surface.
      *
-     * @param distance from its origin to the surface, m
+     * @param distance distance from its origin to the surface, m
      * @param arriving cosine of the angle between the ray and the surface's normal
-     * @param order how many surfaces it has hit, including this one
+     * @param order number of surfaces that it has hit, including this one
      */
     void meet(double distance, double arriving, int order) {
         leg.travel(distance);
@@ -110,7 +110,7 @@ final class Arrival {
         leg.passThrough();
     }
 
-    /** The solids within which the ray is. */
+    /** The solids that the ray is inside. */
     EnteredSolids solids() {
         return solids;
     }
@@ -125,7 +125,7 @@ final class Arrival {
         return isFromStart;
     }
 
-    /** Whether what would arrive straight from the target is computed exactly, or was connected already. */
+    /** Whether sound that would arrive straight from the target is computed exactly, or was already connected. */
     boolean isExact() {
         if (!isFromStart) {
             return leg.matchesFromEnd(ends.ofTarget());
@@ -148,18 +148,19 @@ final class Arrival {
      * The sum of the inverse densities of those legs so far at which the same path could also be connected, if rays
      * from the target reached them.
      *
-     * @param scatterings how many times the rest of the path is scattered before it comes here
-     * @param surfaces how many surfaces the rest of the path hits
+     * @param scatterings number of times that the rest of the path is scattered before it arrives here
+     * @param surfaces number of surfaces that the rest of the path hits
      */
     double inverseDensity(int scatterings, int surfaces) {
-        // Rays merge where one from the target is scattered first.
+        // Rays merge at the point at which a ray from the target is scattered first.
         boolean mayMerge = isMerging[0] && scatterings == 0 && surfaces < ScatteredSound.MOST;
         return (mayMerge ? inverseDensities[0] : 0.0) + sum(0, ends.scatterings() - scatterings, surfaces);
     }
 
     /**
-     * The sum of the inverse densities of the legs before the ray was scattered last: where the ray passes the target
-     * after specular reflections, rays from the target can be connected at these. 0 if they cannot reach them.
+     * The sum of the inverse densities of the legs before the ray was last scattered: if the ray passes the target
+     * after specular reflections, rays from the target can be connected at these legs. 0 if those rays cannot reach
+     * them.
      */
     double inverseDensityBefore() {
         return leg.isThroughWalls() ? Connections.NEVER : sum(1, LEGS, 0);
@@ -171,7 +172,7 @@ final class Arrival {
             if (surfaces + orders[0] - orders[leg] + 1 > ScatteredSound.MOST) {
                 return sum;
             }
-            // To pass the start a ray from the target must go on from the last surface.
+            // To pass the start, a ray from the target must go on from the last surface.
             boolean goesOn = leg < end - 1 && surfaces + orders[0] < ScatteredSound.MOST;
             if (!isMerging[leg] && (!isPassing[leg] || goesOn)) {
                 sum += inverseDensities[leg];

@@ -16,19 +16,19 @@ import org.dronewatch.world.World;
 
 /**
  * One ray that is followed to its end: backward from the sensor or, if that is the start (see {@link Ends}), from the
- * source. A surface absorbs part of its energy; the rest goes on as one ray, reflected specularly, scattered by
- * Lambert's law or transmitted through the wall, drawn at random so that the mean is right. Where the ray is scattered,
- * it is connected to the target; where it passes the target after specular reflections, it is counted in a sphere
- * around the target, unless its path is computed exactly or was connected before. For use by one thread.
+ * source. A surface absorbs part of its energy; the rest goes on as one ray, which is reflected specularly, scattered
+ * by Lambert's law or transmitted through the wall: this is drawn at random so that the mean is right. Where the ray is
+ * scattered, it is connected to the target; where it passes the target after specular reflections, it is counted in a
+ * sphere around the target, unless its path is computed exactly or was connected before. For use by one thread.
  */
 final class BackwardRay {
     /**
-     * Up to this order every surface that scatters is connected to the target, later ones only if the ray is scattered
-     * there.
+     * Up to this order, every surface that scatters is connected to the target; later surfaces are connected only if
+     * the ray is scattered there.
      */
     private static final int ALWAYS_JOINED = 2;
 
-    /** How far rays that hit nothing are drawn, m. */
+    /** The length at which rays that hit nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
     private final EnergyModel model;
@@ -62,7 +62,7 @@ final class BackwardRay {
      * @param ofTarget the sphere around the target
      * @param ofStart the sphere around the start
      * @param connection connects scattered rays to the target
-     * @param energy of the ray
+     * @param energy energy of the ray
      */
     BackwardRay(
             EnergyModel model,
@@ -89,7 +89,7 @@ final class BackwardRay {
     /**
      * Starts one ray.
      *
-     * @param near where a ray from the target was scattered
+     * @param near points at which a ray from the target was scattered
      */
     void start(Ends both, ScatteredSound near, RandomGenerator chance, RayRecorder listener) {
         ends = both;
@@ -128,7 +128,7 @@ final class BackwardRay {
     boolean goOn(boolean hit, int triangle, double length) {
         traced++;
         double distance = hit ? length : Double.POSITIVE_INFINITY;
-        // Few rays pass the target: the others need not be looked up among the exact paths.
+        // Only the few rays that pass the target need to be looked up among the exact paths.
         if (fromMirror && ofTarget.mayBeCrossed(ray) && !arrival.isExact()) {
             countPassing(distance);
         }
@@ -163,7 +163,10 @@ final class BackwardRay {
         ofTarget.count(ray, emitted, arrival.inverseDensityBefore());
     }
 
-    /** A ray that has not been scattered counts for the path to the target itself, in what the start emits, too. */
+    /**
+     * The energy of a ray in a band, corrected for the path to the target itself if the ray has not been scattered:
+     * this includes the directivity with which the start emits.
+     */
     private double corrected(int band) {
         if (!ends.isFromSource() || !arrival.isFromStart()) {
             return 1.0;
@@ -188,7 +191,7 @@ final class BackwardRay {
         }
     }
 
-    /** The level of a segment is that of the fraction of the source's power which it carries. */
+    /** Records a segment; its level is that of the fraction of the source's power that it carries. */
     private void record(double toX, double toY, double toZ, boolean received) {
         double level = Levels.ofRatio(energy.all() * ends.source().emitted() / model.rays());
         recorder.record(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, level, ray.order, received);
@@ -208,11 +211,11 @@ final class BackwardRay {
         }
     }
 
-    /** Goes through all faces that coincide here, unless one of them reflects it. */
+    /** Passes the ray through all faces that coincide here, unless one of them reflects it. */
     private void meetFaces(int triangle, int material, double cosine) {
         faces.find(triangle, material, ray);
         for (int i = 0; i < faces.count(); i++) {
-            // Out of a solid: its loss was applied on entry.
+            // The ray leaves a solid: the loss was applied on entry.
             boolean begins = faces.begins(i, arrival.solids());
             if (begins && !meetFace(faces.triangle(i), faces.material(i), cosine)) {
                 return;

@@ -13,12 +13,12 @@ import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.world.World;
 
 /**
- * The batches of a reading that are traced at the same time: a team of them by each thread. Where
+ * The batches of a reading that are traced at the same time: each thread traces a team of them. If
  * {@linkplain RayPacket packets} of rays are faster, a packet holds one ray of each batch of a team. Each batch has its
  * own random numbers, so its results do not depend on the others.
  */
 final class BatchTeams {
-    /** Rays of a batch. */
+    /** Number of rays of a batch. */
     static final int BATCH = 500;
 
     private final int mostTogether;
@@ -40,8 +40,8 @@ final class BatchTeams {
      * Traces batches to their ends; discards the results of the previous ones.
      *
      * @param count number of batches, at most as many as the threads can trace together
-     * @param threads that may be used
-     * @param seed of the reading
+     * @param threads number of threads that may be used
+     * @param seed seed of the reading
      * @param first number of the first ray
      * @param end number of the ray after the last one: the last batch may be smaller
      */
@@ -61,7 +61,7 @@ final class BatchTeams {
         });
     }
 
-    /** A batch of those traced last. */
+    /** One of the batches traced last. */
     RayBatch get(int number) {
         return teams.get(number / each).batches[number % each];
     }

@@ -10,8 +10,8 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 import org.dronewatch.world.World;
 
 /**
- * The leg by which two points are connected: straight, through the walls between them, or by the specular reflections
- * of an image source. For use by one thread.
+ * A leg that connects two points: straight, through the walls between them, or by the specular reflections of an image
+ * source. For use by one thread.
  */
 final class ConnectingLeg {
     private final WallTransmission walls;
@@ -29,13 +29,13 @@ final class ConnectingLeg {
     }
 
     /**
-     * Searches for a leg from a point to another one, whose images are given.
+     * Searches for a leg from one point to another, whose images are given.
      *
-     * @param image of the other point that the leg leads to; for {@link ImageSources#ORIGINAL} it is straight, and only
-     *     {@link #isOpen} states whether it is open
+     * @param image image of the other point to which the leg leads; for {@link ImageSources#ORIGINAL}, the leg is
+     *     straight, and only {@link #isOpen} determines whether it is open
      * @param fromWall the wall on which the leg begins, or {@link WallPlanes#NONE}
      * @param toWall the wall on which the other point lies, or {@link WallPlanes#NONE}
-     * @return whether there is one
+     * @return whether there is such a leg
      */
     boolean find(
             ImageSources imageSources,
@@ -65,10 +65,10 @@ final class ConnectingLeg {
     /**
      * Whether any sound passes. A straight leg is traced only here, since surfaces that face away need no tracing.
      *
-     * @param x of the end from which it is traced, m
-     * @param toX of the other end, m
-     * @param solids within which the end lies from which it is traced
-     * @param curvature of sound on it, 1/m
+     * @param x x coordinate of the end from which the leg is traced, m
+     * @param toX x coordinate of the other end, m
+     * @param solids the solids within which the end lies from which the leg is traced
+     * @param curvature curvature of sound along the leg, 1/m
      */
     boolean isOpen(
             double x, double y, double z, double toX, double toY, double toZ, EnteredSolids solids, double curvature) {
@@ -80,47 +80,49 @@ final class ConnectingLeg {
     }
 
     /**
-     * Sets how air bends reflected legs from now on.
+     * Sets the curvature that the air gives to subsequent reflected legs.
      *
-     * @param isSoundAhead whether sound travels from their beginning to their end, and not the other way
+     * @param isSoundAhead whether sound travels from their beginning to their end, rather than the other way around
      */
     void bend(PathCurvature curvature, boolean isSoundAhead) {
         path.bend(curvature, isSoundAhead);
     }
 
-    /** Whether it goes through walls. */
+    /** Whether the leg passes through walls. */
     boolean isThroughWalls() {
         return isStraight && !walls.isFree();
     }
 
-    /** The fraction of a band's energy that walls transmit, or that they reflect. */
+    /** The fraction of a band's energy that the walls along the leg transmit or reflect. */
     double passed(int band) {
         return isStraight ? walls.passed(band) : path.reflected(band);
     }
 
-    /** Its length, m. */
+    /** The length of the leg, m. */
     double length() {
         return length;
     }
 
-    /** Cosine of the angle between a unit vector and the direction in which it leaves its beginning. */
+    /** Cosine of the angle between a unit vector and the direction in which the leg leaves its beginning. */
     double cosineAtBeginning(double[] unit) {
         return isStraight ? (x * unit[0] + y * unit[1] + z * unit[2]) / length : path.cosineAtBeginning(unit);
     }
 
-    /** Cosine of the angle between a unit vector and the direction in which it, backward, leaves its end. */
+    /**
+     * Cosine of the angle between a unit vector and the direction in which the leg, traced backward, leaves its end.
+     */
     double cosineAtEnd(double[] unit) {
         return isStraight
                 ? -(x * unit[0] + y * unit[1] + z * unit[2]) / length
                 : path.cosineAtEnd(unit[0], unit[1], unit[2]);
     }
 
-    /** Sine of the elevation at which sound leaves its end, backward. */
+    /** Sine of the elevation at which sound that travels backward leaves the end of the leg. */
     double riseFromEnd() {
         return isStraight ? -z / length : path.riseFromEnd();
     }
 
-    /** How many segments have been traced since the last call. */
+    /** The number of segments traced since the last call. */
     int takeTraced() {
         int count = traced;
         traced = 0;

@@ -7,77 +7,108 @@ import org.dronewatch.sound.Levels;
  *
  * <p>A rare strong ray may change a level by more than all others, and the scatter of a thousand rays does not show it
  * if it is not among them. So the error includes an allowance for such a ray ({@link MissedRays}). Where rays
- * contribute little, what those that were drawn contribute does not limit the allowance, unless the ray would be weak
- * anyway: they contribute little precisely if the strong ones were missed. For the same reason, as long as such a ray
- * would be appreciable, a look does not end because those that were drawn contribute little and scatter little, unless
- * they are very many. The constants are chosen so that looks drawn at random from 150,000 recorded rays at each of 50
- * pairs of places, in both directions, keep to their stated errors.
+ * contribute little, the contribution of the rays that were drawn does not limit the allowance, unless the missed ray
+ * would be weak anyway: the rays that were drawn contribute little precisely if the strong ones were missed. For the
+ * same reason, as long as a missed ray would be appreciable, a look does not end merely because the rays that were
+ * drawn contribute little and scatter little, unless there are very many of them. The constants are chosen so that
+ * looks drawn at random from 150,000 recorded rays at each of 50 pairs of positions, in both directions, keep to their
+ * stated errors.
  */
 final class Convergence {
-    /** If rays contribute less than this fraction of what is heard, a reading converges whatever their number. */
+    /**
+     * If rays contribute no more than this fraction of the sound heard, a reading counts as converged whatever their
+     * number.
+     */
     private static final double INSIGNIFICANT = 0.15;
 
-    /** If they contribute less than this, the first rays suffice, unless an appreciable ray may have been missed. */
+    /**
+     * If rays contribute no more than this fraction, the first rays suffice, unless an appreciable ray may have been
+     * missed.
+     */
     private static final double HARDLY_ANYTHING = 0.01;
 
-    /** A ray that contributes more than this fraction of what is heard is appreciable. */
+    /** A ray that contributes more than this fraction of the sound heard is appreciable. */
     private static final double APPRECIABLE_RAY = 0.1;
 
     /** In an enclosed space, no ray that happens to pass may contribute more than this fraction of what is heard. */
     private static final double STRONG_PASSING = 0.01;
 
     /**
-     * With fewer effective contributions than this, their scatter is not known, unless even the strongest is less than
-     * the reciprocal of this of what is heard.
+     * With fewer effective contributions than this, their scatter does not count as known, unless even the strongest
+     * contribution is no more than the sound heard divided by this number.
      */
     private static final double ENOUGH = 20.0;
 
     /**
-     * Where the straight path leads through walls, this many rays must be traced. Also where rays contribute between
-     * {@link #HARDLY_ANYTHING} and {@link #INSIGNIFICANT}, or nothing so far, ...
+     * The number of rays that must be traced if the straight path leads through walls; and also if rays contribute
+     * between {@link #HARDLY_ANYTHING} and {@link #INSIGNIFICANT}, or nothing so far.
      */
     private static final double SEVERAL_THOUSAND = 3000.0;
 
-    /** ... and make this many effective contributions, which suffice if no appreciable ray may have been missed, ... */
+    /**
+     * The number of effective contributions that suffice, together with {@link #SEVERAL_THOUSAND} rays, if no
+     * appreciable ray may have been missed and rays contribute between {@link #HARDLY_ANYTHING} and
+     * {@link #INSIGNIFICANT}.
+     */
     private static final double MORE_THAN_ENOUGH = 40.0;
 
-    /** ... or else this many: many small contributions, from all around. */
+    /** The number of effective contributions that suffice in any case: many small contributions, from all around. */
     private static final double PLENTY = 200.0;
 
-    /** Twice as many where rays contribute less than this fraction: a few strong ones would change it more. */
+    /**
+     * Twice {@link #PLENTY} are needed if rays contribute less than this fraction: a few strong rays would then change
+     * the level more.
+     */
     private static final double APPRECIABLE = 0.05;
 
-    /** A ray that may have been missed is not taken to contribute more than this fraction of what is heard. */
+    /** A ray that may have been missed is not taken to contribute more than this fraction of the sound heard. */
     private static final double MOST_MISSED = 0.02;
 
-    /** Where it would contribute less than this fraction of what is heard, and many rays contribute, ... */
+    /**
+     * A missed ray that would contribute less than this fraction of the sound heard is weak; if many rays contribute,
+     * it is limited by {@link #MISSED_OF_MANY} instead of {@link #MOST_MISSED}.
+     */
     private static final double WEAK = 0.01;
 
-    /** ... it is not taken to contribute more than this fraction of what they do. */
+    /**
+     * A {@link #WEAK} missed ray is not taken to contribute more than this fraction of the contribution of all rays, if
+     * these are many.
+     */
     private static final double MISSED_OF_MANY = 0.1;
 
     /**
-     * Where rays contribute much, at most a {@link #WEAK} ray is added to their scatter, but the error is not below
-     * what a ray of this fraction of the missed one would cause, ...
+     * If rays contribute much, a missed ray of at most the fraction {@link #WEAK} is added to their scatter, but the
+     * error is at least that caused by this fraction of the missed ray or, if that is less, by {@link #LEAST_OF_MUCH}.
      */
     private static final double LEAST_MISSED = 0.7;
 
-    /** ... or, if that is less, one of this fraction of what they contribute. */
+    /**
+     * The error is at least that caused by a ray with this fraction of the contribution of all rays, or by
+     * {@link #LEAST_MISSED} if that is less.
+     */
     private static final double LEAST_OF_MUCH = 0.3;
 
     /** Root mean square of a contribution that may be anything from 0 to 1. */
     private static final double ROOT_MEAN_SQUARE = 1.0 / Math.sqrt(3.0);
 
-    /** Where few contribute, the smallest error that is stated if there is anything to be missed, dB. */
+    /** The smallest error that is stated if few rays contribute and there is anything that may have been missed, dB. */
     private static final double LEAST_ERROR = 0.005;
 
-    /** How accurately several thousand rays determine what they contribute, however little they scatter ... */
+    /**
+     * The relative error with which several thousand rays determine their contribution, however little they scatter; it
+     * is limited by {@link #MOST_OFF}.
+     */
     private static final double RELATIVE_ERROR = 0.046;
 
-    /** ... but this fraction of what is heard is the most that they are taken to be off, ... */
+    /**
+     * An upper limit on the error that {@link #RELATIVE_ERROR} gives for the contribution of rays, as a fraction of the
+     * sound heard; less if more than {@link #HUNDREDS} effective contributions were drawn.
+     */
     private static final double MOST_OFF = 0.0035;
 
-    /** ... or less where more than this many effective contributions were drawn. */
+    /**
+     * Above this number of effective contributions, {@link #MOST_OFF} decreases with the square root of their number.
+     */
     private static final double HUNDREDS = 150.0;
 
     private final EnergyTally tally;
@@ -100,11 +131,11 @@ final class Convergence {
     }
 
     /**
-     * Whether no more rays are needed. Where nothing is heard at all, the contribution of further rays is unknown.
+     * Whether no more rays are needed. If nothing is heard at all, the contribution of further rays is unknown.
      *
      * @param quantity a band or {@link EnergyTally#A_WEIGHTED}
      * @param heard the sum of exact paths and rays, as intensity over the source's power, 1/m2
-     * @param accuracy the standard error of the rays that were drawn to be reached, dB
+     * @param accuracy the standard error to be reached by the rays that were drawn, dB
      */
     boolean isAccurate(int quantity, double heard, double accuracy) {
         return heard > 0.0
@@ -115,7 +146,7 @@ final class Convergence {
     }
 
     /**
-     * The error of the rays that were drawn alone, dB; infinity as long as nothing is heard.
+     * The error due to the rays that were drawn alone, without any allowance, dB; infinity as long as nothing is heard.
      *
      * @param heard the sum of exact paths and rays
      */
@@ -124,7 +155,7 @@ final class Convergence {
     }
 
     /**
-     * How many rays must be traced for one that was missed not to be appreciable: fewer may suffice.
+     * The number of rays that must be traced so that a missed ray is no longer appreciable; fewer may suffice.
      *
      * @param heard the sum of exact paths and rays, greater than 0
      */
@@ -150,14 +181,14 @@ final class Convergence {
                 : errorOfMuch(heard, received, drawn, one);
     }
 
-    /** Where rays contribute much. */
+    /** The error if rays contribute much, dB. */
     private static double errorOfMuch(double heard, double received, double drawn, double one) {
         double ofRays = Math.hypot(drawn, Math.min(one, WEAK * heard) * ROOT_MEAN_SQUARE);
         double least = Math.min(LEAST_MISSED * one, LEAST_OF_MUCH * received) * ROOT_MEAN_SQUARE;
         return Levels.ofRatio(1.0 + Math.max(ofRays, least) / heard);
     }
 
-    /** Where rays contribute little. */
+    /** The error if rays contribute little, dB. */
     private double errorOfLittle(int quantity, double heard, double received, double drawn, double one) {
         double most = MOST_MISSED * heard;
         if (one < WEAK * heard && !areFew(quantity)) {
@@ -176,8 +207,8 @@ final class Convergence {
     }
 
     /**
-     * Whether the level rests on more than a few rays. Where nothing is heard at all, rays may have missed the only
-     * path: silence is not known.
+     * Whether the level rests on more than a few rays. If nothing is heard at all, rays may have missed the only path,
+     * so silence is not certain.
      *
      * @param heard the sum of exact paths and rays
      */
@@ -187,7 +218,10 @@ final class Convergence {
                         || hasPassedWalls() && (isEnough(quantity) || tally.strongest(quantity) * ENOUGH <= heard));
     }
 
-    /** Whether there are enough rays for some to have passed the walls of the straight path, if there are any. */
+    /**
+     * Whether there are enough rays for some to have passed the walls on the straight path, if there are any such
+     * walls.
+     */
     private boolean hasPassedWalls() {
         return !isThroughWalls || tally.rays() >= SEVERAL_THOUSAND;
     }
@@ -200,7 +234,7 @@ final class Convergence {
         return tally.received(quantity) <= INSIGNIFICANT * heard;
     }
 
-    /** Whether rays that contribute little would hardly contribute more if more of them were traced. */
+    /** Whether rays that contribute little would hardly contribute more if further ones were traced. */
     private boolean hasShownMost(int quantity, double heard) {
         double received = tally.received(quantity);
         double effective = tally.effectiveRays(quantity);

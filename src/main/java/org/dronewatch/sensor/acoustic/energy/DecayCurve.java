@@ -18,7 +18,7 @@ public final class DecayCurve {
     private static final double FROM = -5.0;
     private static final double SPAN = 30.0;
 
-    /** The energy received, by bin and in it by band, as an arrival is in all bands at once. */
+    /** The energy received, by bin and, within each bin, by band, since each arrival adds to all bands at once. */
     private final double[] received = new double[BINS * BANDS];
 
     /** The bins from this one on are empty. */
@@ -71,8 +71,8 @@ public final class DecayCurve {
     }
 
     /**
-     * Remaining (backward-integrated) energy of all bands at the start of each bin, dB re the total; minus infinity
-     * after the last arrival and for silence.
+     * Remaining (backward-integrated) energy of all bands at the start of each bin, dB relative to the total; minus
+     * infinity after the last arrival and for silence.
      */
     public double[] levels() {
         return levels(0, BANDS);

@@ -10,9 +10,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Connects a point where a ray from the start is scattered to the target, and to the points where a ray from the target
- * was scattered first: straight, through the walls in between, and by the reflections of image sources. Paths that are
- * connected here must not be counted again in the sphere. For use by one thread.
+ * Connects a point at which a ray from the start is scattered with the target, and with the points at which a ray from
+ * the target was first scattered: straight, through the walls in between, and by the reflections of image sources.
+ * Paths that are connected here must not be counted again in the sphere. For use by one thread.
  */
 final class DiffuseConnection {
     private static final int BANDS = OctaveBands.COUNT;
@@ -62,13 +62,13 @@ final class DiffuseConnection {
     /**
      * Adds the sound that a surface scatters towards the target.
      *
-     * @param ray at the point where it hits the surface
+     * @param ray the ray, at the point at which it hits the surface
      * @param wall the plane of the surface, or {@link WallPlanes#NONE}
-     * @param normal of the surface, on the ray's side
-     * @param material of the surface
-     * @param leaving the energy that leaves by Lambert's law, in each band
-     * @param arrival how the ray reached that point
-     * @param scattered where a ray from the target was scattered first
+     * @param normal normal of the surface, on the ray's side
+     * @param material material of the surface
+     * @param leaving the energy that leaves the surface by Lambert's law, in each band
+     * @param arrival the path by which the ray reached that point
+     * @param scattered the points at which a ray from the target was first scattered
      * @return how many connections were tried
      */
     int add(
@@ -98,7 +98,7 @@ final class DiffuseConnection {
         return leg.takeTraced();
     }
 
-    /** Where rays from both ends join, since they hit a surface near the same point. */
+    /** The rays from both ends that are joined because they hit a surface near the same point. */
     MergedRays merged() {
         return merged;
     }
@@ -132,7 +132,7 @@ final class DiffuseConnection {
         tally.add(ray, brought, distance);
     }
 
-    /** Whether sound from the last point that was added reaches the target straight from there. */
+    /** Whether sound reaches the target straight from the point that was added last. */
     boolean isJoined() {
         return isJoined;
     }
@@ -187,7 +187,7 @@ final class DiffuseConnection {
     }
 
     /**
-     * Adds the sound that reaches the start from the points where a ray from the target was scattered first.
+     * Adds the sound that reaches the start from the points at which a ray from the target was first scattered.
      *
      * @return how many connections were tried
      */
@@ -211,7 +211,7 @@ final class DiffuseConnection {
         }
         double cosine = leg.cosineAtBeginning(point.normal);
         Position start = ends.start();
-        // Seen from the start, like rays that arrive, so that the surface is at the far end of both.
+        // The leg is traced from the start, as arriving rays are, so that the surface is at the far end of both.
         double curvature = ends.curvature(start.x() - point.x, start.y() - point.y, start.z() - point.z);
         if (!(cosine > 0.0)
                 || !leg.isOpen(

@@ -13,15 +13,16 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The attenuation of sound between two points by the edges of obstacles: of sound diffracted around them, where they
- * hide the source, and of direct sound that passes close to them.
+ * The attenuation of sound between two points by the edges of obstacles: of sound diffracted around the edges if the
+ * obstacles hide the source, and of direct sound that passes close to them.
  *
- * <p>An edge at which the outline bends by less than {@value #FULL_BEND} degrees counts in proportion, up to N =
- * {@value #FULL_SHADOW} in its shadow, from where it counts in full: flat ground has no edges, and ground of many
- * slight bends attenuates little as long as it hides nothing. Several edges count as one until the path bends by
- * {@value #FULL_TURN} degrees at the first and at the last, so that an edge which the path just begins to touch causes
- * no step. Where another path is nearly as short as the shortest, as one edge over the top and two around the side, the
- * attenuation passes from that of one to that of the other. For use by one thread.
+ * <p>An edge at which the outline bends by less than {@value #FULL_BEND} degrees counts in proportion to the bend; from
+ * a Fresnel number N of {@value #FULL_SHADOW} on, in its shadow, it counts in full. So flat ground has no edges, and
+ * ground with many slight bends attenuates little as long as it hides nothing. Several edges count as one until the
+ * path bends by {@value #FULL_TURN} degrees at the first and at the last, so that an edge that the path just begins to
+ * touch causes no step. Where another path is nearly as short as the shortest, such as one around two edges at the side
+ * besides one over an edge at the top, the attenuation changes gradually from that of one path to that of the other.
+ * For use by one thread.
  */
 final class EdgeLoss {
     private static final int BANDS = OctaveBands.COUNT;
@@ -44,7 +45,10 @@ final class EdgeLoss {
     /** The square root of 3. */
     private static final double SHORT_DETOUR = 1.7320508;
 
-    /** Up to this bend, in degrees, a surface is flat: coordinates of single precision are not exactly in a plane. */
+    /**
+     * Up to this bend, in degrees, a surface counts as flat: coordinates of single precision are not exactly in a
+     * plane.
+     */
     private static final double FLAT = 0.1;
 
     private final Diffraction diffraction;
@@ -65,16 +69,17 @@ final class EdgeLoss {
     }
 
     /**
-     * Looks for the path around what hides a source; false where there is none, or no diffraction.
+     * Looks for the path around the obstacles that hide a source; returns false if there is none, or if there is no
+     * diffraction.
      *
-     * @param curvature of sound from the source to the sensor, 1/m
+     * @param curvature curvature of sound from the source to the sensor, 1/m
      */
     boolean findPath(Position source, Position sensor, double curvature) {
         if (diffraction == Diffraction.OFF || !path.find(source, sensor, curvature)) {
             return false;
         }
         difference = curvature < 0.0 && diffraction.measuresArcs() ? path.arcDifference() : path.pathDifference();
-        // Where arcs just graze the ground no edge is needed to go around it.
+        // If an arc just grazes the ground, the path needs no edge to go around it.
         double ofNone = curvature == 0.0 ? 1.0 : 0.0;
         double ofBend = path.edges().count() == 0 ? ofNone : weight(path.edges().bend());
         for (int band = 0; band < BANDS; band++) {
@@ -96,10 +101,10 @@ final class EdgeLoss {
     }
 
     /**
-     * Looks for edges close to the line between two mutually visible points. Of several, the one with the greatest loss
-     * counts.
+     * Looks for edges close to the line between two mutually visible points. If there are several, the one with the
+     * greatest loss counts.
      *
-     * @param curvature of sound from the source to the sensor, 1/m
+     * @param curvature curvature of sound from the source to the sensor, 1/m
      */
     void findNear(Position source, Position sensor, double curvature) {
         Arrays.fill(past, 1.0);
@@ -112,7 +117,7 @@ final class EdgeLoss {
             for (int band = 0; band < BANDS; band++) {
                 double loss = weight * diffraction.attenuation(-edge.detour(), 0.0, wavelength(band));
                 double left = Math.pow(10.0, -0.1 * loss);
-                // The obstacle transmits its fraction of the energy that the edge removes, as it does in its shadow.
+                // Of the energy that the edge removes, the obstacle transmits its fraction, as it does in its shadow.
                 double through = surfaces.transmitted(edge.material(), band);
                 past[band] = Math.min(past[band], left + (1.0 - left) * through);
             }
@@ -120,10 +125,11 @@ final class EdgeLoss {
     }
 
     /**
-     * What is left of sound that spreads over a long detour. The methods of diffraction let it spread over the straight
-     * line, and limit the attenuation. That holds for barriers, whose detours are short: up to {@value #SHORT_DETOUR}
-     * times the straight line (20 lg of which is the 4.77 dB of the shadow boundary) nothing is changed. From there on
-     * sound spreads over the path, so that it is never louder than what has come as far through open air.
+     * The fraction that is left of sound that spreads over a long detour. The methods of diffraction let sound spread
+     * over the straight line, and limit the attenuation. This is appropriate for barriers, whose detours are short: up
+     * to {@value #SHORT_DETOUR} times the straight line (20 lg of which is the 4.77 dB of the shadow boundary) nothing
+     * is changed. Beyond that, sound spreads over the path, so that it is never louder than sound that has travelled as
+     * far through open air.
      *
      * @param straight length of the straight line, above 0, m
      * @param path length of the path around the edges, m
@@ -134,7 +140,9 @@ final class EdgeLoss {
         return left * left;
     }
 
-    /** How far the path found last is one over the bulge of smooth ground, and not over edges: 0 to 1. */
+    /**
+     * The degree to which the path found last leads over the bulge of smooth ground, rather than over edges, 0 to 1.
+     */
     double ofSmoothGround() {
         return 1.0 - weight(path.edges().bend());
     }
@@ -145,8 +153,8 @@ final class EdgeLoss {
     }
 
     /**
-     * The attenuation by the edges of the shortest path, dB, or, where others are nearly as short, the mean of all
-     * these, in which longer ones have less weight.
+     * The attenuation by the edges of the shortest path, dB; if other paths are nearly as short, the mean over all of
+     * these, in which longer paths have less weight.
      */
     private double loss(double wavelength) {
         double ofShortest = loss(path.edges(), wavelength);
@@ -179,11 +187,11 @@ final class EdgeLoss {
                 double ofSeveral = diffraction.attenuation(difference, span, wavelength);
                 most = Math.max(most, ofOne + share * (ofSeveral - ofOne));
                 if (Math.toDegrees(turnsFirst) >= FULL_TURN) {
-                    break; // Those further on are closer to the last.
+                    break; // The edges after it are closer to the last.
                 }
             }
             if (Math.toDegrees(turnsLast) >= FULL_TURN) {
-                break; // Those before it are closer to the first.
+                break; // The edges before it are closer to the first.
             }
         }
         return most;

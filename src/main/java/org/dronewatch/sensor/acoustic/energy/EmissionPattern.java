@@ -39,7 +39,7 @@ final class EmissionPattern {
     /**
      * The factor of a band.
      *
-     * @param rise sine of the elevation at which sound leaves, -1 to 1; above and below are alike
+     * @param rise sine of the elevation at which sound leaves, -1 to 1; its sign has no effect
      */
     double factor(int band, double rise) {
         double at = Math.min(1.0, Math.abs(rise)) * STEPS;

@@ -27,26 +27,25 @@ import org.dronewatch.world.World;
  */
 final class EndSearch {
     /**
-     * Rays from either end that find its image sources: as many from both ends, so that what they find together is the
-     * same when the ends are exchanged.
+     * Number of rays from either end that find its image sources: the same from both ends, so that together they find
+     * the same when the ends are exchanged.
      */
     private static final int RAYS = 2000;
 
-    /**
-     * The number of rays where one end is sheltered: sound that comes in through a door comes from few image sources.
-     */
+    /** The number of rays if one end is sheltered: sound that comes in through a door comes from few image sources. */
     private static final int RAYS_TO_SHELTER = 4000;
 
     /**
-     * Image sources are chosen as for this number of rays at most: with more, fewer would be worth joining, and what
-     * comes over the others through a door is too faint in the wide spheres in which passing rays are counted.
+     * Image sources are chosen as for this number of rays at most: with more rays, fewer image sources would be worth
+     * joining, and the sound that comes from the others through a door is too faint in the wide spheres in which
+     * passing rays are counted.
      */
     private static final int MOST_RAYS = 8000;
 
     /** Maximum number of image sources for which purely specular paths are searched. */
     private static final int MOST_PURE = 8000;
 
-    /** Maximum number of image sources, for those that rays find after they have passed through walls. */
+    /** Maximum number of those image sources that rays find after they have passed through walls. */
     private static final int MOST_BEHIND_WALLS = 2000;
 
     /** Maximum number of walls of each end that are tried as additional reflections of exact paths. */
@@ -55,10 +54,13 @@ final class EndSearch {
     /** Maximum number of image sources from which those that join scattered sound to an end are chosen. */
     private static final int MOST_CANDIDATES = 200;
 
-    /** Where less than this fraction of rays leaves the site over their first surfaces, the space is enclosed. */
+    /**
+     * If less than this fraction of rays leaves the site by way of the first surfaces that they hit, the space counts
+     * as enclosed.
+     */
     private static final double OPEN = 0.1;
 
-    /** Where less than this fraction of them does, as in a courtyard, the space is sheltered. */
+    /** If less than this fraction of them does, as in a courtyard, the space counts as sheltered. */
     private static final double SHELTERED = 0.8;
 
     /**
@@ -83,8 +85,8 @@ final class EndSearch {
     private final Samples samplesOfSensor;
 
     /**
-     * The sensor as an end, among sheltered ends or not, by the fraction of direct sound that passes through walls;
-     * found when it is first needed.
+     * The sensor as an end, by whether one end is sheltered and by the fraction of direct sound that passes through
+     * walls; found when it is first needed.
      */
     private final Map<Boolean, Map<Double, End>> ofSensor = Map.of(true, new HashMap<>(), false, new HashMap<>());
 
@@ -106,12 +108,12 @@ final class EndSearch {
     /**
      * One end of the paths.
      *
-     * @param position where it is, m
+     * @param position position of the end, m
      * @param found its image sources
-     * @param rays how many rays found them
-     * @param pure those from which purely specular paths are constructed
-     * @param candidates the best of them
-     * @param samples where rays from it are scattered
+     * @param rays number of rays that found them
+     * @param pure image sources from which purely specular paths are constructed
+     * @param candidates the best image sources
+     * @param samples the points at which rays from it are scattered
      */
     private record End(
             Position position,
@@ -143,7 +145,7 @@ final class EndSearch {
     /**
      * Finds the image sources of one look, and with them the exact paths.
      *
-     * @param curvature of the paths of sound
+     * @param curvature curvature of the paths of sound
      */
     Ends find(SoundSource source, ExactPaths exact, PathCurvature curvature) {
         Position drone = source.position();
@@ -177,10 +179,10 @@ final class EndSearch {
     }
 
     /**
-     * Finds the exact paths of one look as far as the image sources of the sensor lead to them, which are the same for
-     * all looks.
+     * Finds those exact paths of one look to which the image sources of the sensor lead; these image sources are the
+     * same for all looks.
      *
-     * @param curvature of the paths of sound
+     * @param curvature curvature of the paths of sound
      */
     void findWithoutSource(SoundSource source, ExactPaths exact, PathCurvature curvature) {
         Position drone = source.position();
@@ -234,7 +236,7 @@ final class EndSearch {
         ImageSourceCandidates exactly = new ImageSourceCandidates();
         ImageSourceCandidates near = new ImageSourceCandidates();
         ImageSourceCandidates far = new ImageSourceCandidates();
-        // Sound that walls reflect from one end to the other returns over the same walls in reverse order.
+        // Sound that walls reflect from one end to the other returns by way of the same walls in reverse order.
         addAll(target.candidates(), near, far);
         addAll(start.candidates(), far, near);
         if (start.samples().escaped() < SHELTERED) {

@@ -8,12 +8,12 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
 /**
  * The two ends of all paths of one look, and the image sources that join points near them to the rest of a path. Rays
  * are followed from one end, the start, until they are absorbed or leave the site; rays from the other end, the target,
- * only over their first few surfaces. The start is the sensor, unless the source is in a more sheltered place, such as
- * a room or a courtyard: sound takes every path both ways, and rays find the way out through a door far more often than
- * the way in. Immutable.
+ * are followed only to the first few surfaces. The start is the sensor, unless the source is in a more sheltered place,
+ * such as a room or a courtyard: sound takes every path in both directions, and rays find the way out through a door
+ * far more often than the way in. Immutable.
  *
  * @param source the drone's sound
- * @param sensor where the microphone is, m
+ * @param sensor position of the microphone, m
  * @param isFromSource whether the source is the start
  * @param ofTarget image sources of the target that join rays scattered elsewhere to it
  * @param ofStart image sources of the start that join rays from the target at their first scatterings to it
@@ -51,18 +51,19 @@ record Ends(
         return isOpen ? Connections.FROM_TARGET : 1;
     }
 
-    /** Where rays that are followed to their end begin, m. */
+    /** The position at which rays that are followed to their end begin, m. */
     Position start() {
         return isFromSource ? source.position() : sensor;
     }
 
-    /** The other end, m. */
+    /** The position of the other end, m. */
     Position target() {
         return isFromSource ? sensor : source.position();
     }
 
     /**
-     * How much sound in a band the start emits in one direction over its mean; 1 if it is the sensor.
+     * The sound in a band that the start emits in one direction, relative to its mean over all directions; 1 if the
+     * start is the sensor.
      *
      * @param rise sine of the elevation at which the path leaves the start
      */
@@ -71,7 +72,8 @@ record Ends(
     }
 
     /**
-     * How much sound in a band the target emits in one direction over its mean; 1 if it is the sensor.
+     * The sound in a band that the target emits in one direction, relative to its mean over all directions; 1 if the
+     * target is the sensor.
      *
      * @param rise sine of the elevation at which the path leaves the target
      */

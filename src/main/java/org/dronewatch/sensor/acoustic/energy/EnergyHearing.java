@@ -32,10 +32,10 @@ import org.dronewatch.world.World;
 public final class EnergyHearing implements SoundTracer {
     private static final String UNIT = "dB";
 
-    /** Where more than this fraction of the sound leaves the site, it has no appreciable reverberation. */
+    /** If more than this fraction of the sound leaves the site, there is no appreciable reverberation. */
     private static final double OPEN = 0.5;
 
-    /** Below this level, dB, a decay curve is the end of the estimate and not of the sound. */
+    /** Below this level, dB, a decay curve shows the end of the estimate, not that of the sound. */
     private static final double LOWEST_DECAY = -40.0;
 
     /** Name of a figure: A-weighted level of background and noise sources together. */
@@ -98,7 +98,7 @@ public final class EnergyHearing implements SoundTracer {
         if (!world.noiseSources().isEmpty()) {
             figures.put(BACKGROUND_CONVERGED, noise().isConverged() ? 1.0 : 0.0);
         }
-        // Of the sound that decides, as the value of the look is.
+        // For the sound that decides, as for the value of the look.
         for (HeardTone tone : lines.heard(reading.forDetection()::energy, background())) {
             String name = "tone_" + tone.harmonic();
             figures.put(name + "_hz", tone.band().frequency());
@@ -113,7 +113,7 @@ public final class EnergyHearing implements SoundTracer {
         return noise().levels();
     }
 
-    /** Computed when it is needed for the first time. */
+    /** The noise of the site, computed when it is first needed. */
     private SiteNoise noise() {
         if (noise.isEmpty()) {
             noise = Optional.of(SiteNoise.at(microphone.position(), world, tracer));
@@ -128,7 +128,10 @@ public final class EnergyHearing implements SoundTracer {
         return signal(read(sound, random, RayRecorder.NONE), sound.lines());
     }
 
-    /** A reading that rests on too few rays is not used for the decision: the exact paths alone decide. */
+    /**
+     * The signal of a reading. A reading that rests on too few rays is not used for the decision: the exact paths alone
+     * decide.
+     */
     private Signal signal(EnergyReading whole, LineSpectrum lines) {
         EnergyReading reading = whole.forDetection();
         double value = reading.aWeightedLevel();

@@ -63,7 +63,7 @@ final class EnergyLedger {
     /**
      * The fractions of the emitted energy.
      *
-     * @param emitted by all rays together
+     * @param emitted energy emitted by all rays together
      */
     EnergyAudit audit(double emitted) {
         return new EnergyAudit(

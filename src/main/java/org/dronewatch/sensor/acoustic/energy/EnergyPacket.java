@@ -33,7 +33,7 @@ final class EnergyPacket {
     /**
      * Sets the energies to those that a ray carries at first.
      *
-     * @param rise sine of the elevation at which it leaves
+     * @param rise sine of the elevation at which the ray leaves
      */
     void fill(Ends ends, double rise) {
         for (int band = 0; band < BANDS; band++) {
@@ -59,7 +59,7 @@ final class EnergyPacket {
         return BandFactors.sum(energy);
     }
 
-    /** Deducts what the air absorbs over a distance, m. */
+    /** Deducts the energy that the air absorbs over a distance, m. */
     void travel(double distance) {
         air.attenuate(energy, distance, ledger.airByBand());
     }
@@ -75,9 +75,9 @@ final class EnergyPacket {
     }
 
     /**
-     * Deducts what a surface absorbs, and draws whether the rest is transmitted or reflected.
+     * Deducts the energy that a surface absorbs, and draws whether the rest is transmitted or reflected.
      *
-     * @param cosine of the angle between the sound and the normal
+     * @param cosine cosine of the angle between the sound and the normal
      * @return whether it is transmitted
      */
     boolean drawTransmission(int material, double cosine, RandomGenerator random) {
@@ -116,7 +116,7 @@ final class EnergyPacket {
     }
 
     /**
-     * Draws whether what a surface reflects is scattered or reflected specularly.
+     * Draws whether the sound that a surface reflects is scattered or reflected specularly.
      *
      * @return whether it is scattered
      */
@@ -140,7 +140,7 @@ final class EnergyPacket {
     /**
      * Scatters the packet in a direction that was drawn by Lambert's law.
      *
-     * @param cosine of the angle between the direction and the normal
+     * @param cosine cosine of the angle between the direction and the normal
      */
     void scatter(int material, double cosine) {
         if (!surfaces.isAngular(material)) {

@@ -6,8 +6,8 @@ import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Accumulates the contributions of rays, as intensity over the source's power, and their variance from ray to ray. For
- * use by one thread.
+ * Accumulates the contributions of rays, as intensity divided by the source's power, and their variance from ray to
+ * ray. For use by one thread.
  */
 final class EnergyTally {
     private static final int BANDS = OctaveBands.COUNT;
@@ -17,7 +17,7 @@ final class EnergyTally {
 
     private static final int QUANTITIES = BANDS + 1;
 
-    /** Probability that there is one ray more as strong as the strongest. */
+    /** Probability that there is one more ray that is as strong as the strongest. */
     private static final double ANOTHER = 0.5;
 
     private static final double[] A_WEIGHTS = new double[BANDS];
@@ -50,9 +50,9 @@ final class EnergyTally {
     }
 
     /**
-     * The contribution of a ray.
+     * Adds the contribution of a ray.
      *
-     * @param ray that contributes
+     * @param ray the ray that contributes
      * @param inBand its contribution in each band, 1/m2
      * @param onward distance from the ray's last surface to the receiver, m
      */
@@ -93,7 +93,7 @@ final class EnergyTally {
         rays++;
     }
 
-    /** How many rays have ended. */
+    /** The number of rays that have ended. */
     long rays() {
         return rays;
     }
@@ -108,15 +108,15 @@ final class EnergyTally {
     }
 
     /**
-     * Standard error of {@link #received}, 1/m2, as if there were, as likely as not, one ray more that is as strong as
-     * the strongest. Where a few strong rays contribute much, those that were not drawn do not show in the scatter of
-     * the others.
+     * Standard error of {@link #received}, 1/m2, which allows, with a probability of one half, for one more ray that is
+     * as strong as the strongest. If a few strong rays contribute much, those that were not drawn do not show in the
+     * scatter of the others.
      */
     double standardError(int quantity) {
         return Math.sqrt(scatter(quantity) + ANOTHER * strongest[quantity] * strongest[quantity]) / rays;
     }
 
-    /** What the strongest ray contributes to {@link #received}, 1/m2. */
+    /** The contribution of the strongest ray to {@link #received}, 1/m2. */
     double strongest(int quantity) {
         return strongest[quantity] / rays;
     }
@@ -127,7 +127,9 @@ final class EnergyTally {
         return Math.max(0.0, squares[quantity] - sum * sum / rays);
     }
 
-    /** How many rays of equal contributions would scatter as much as these (Kish, Survey Sampling, 1965). */
+    /**
+     * The number of rays with equal contributions that would scatter as much as these (Kish, Survey Sampling, 1965).
+     */
     double effectiveRays(int quantity) {
         return squares[quantity] > 0.0 ? sums[quantity] * sums[quantity] / squares[quantity] : 0.0;
     }

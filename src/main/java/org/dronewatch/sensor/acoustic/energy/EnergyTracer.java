@@ -33,8 +33,8 @@ import org.dronewatch.world.World;
  */
 public final class EnergyTracer {
     /**
-     * Rays before the first check of the standard error, which is unreliable for a few. The next check is a whole batch
-     * later: stopping at the earliest opportunity would favour low values.
+     * Number of rays before the first check of the standard error, which is unreliable for a few rays. The next check
+     * is a whole batch later: stopping at the earliest opportunity would favour low values.
      */
     static final int FEWEST = 1000;
 
@@ -49,7 +49,7 @@ public final class EnergyTracer {
     private final Air air;
     private final PathBending bending;
 
-    /** Squared sound pressure over that in the reference air. */
+    /** Squared sound pressure relative to that in the reference air. */
     private final double pressure;
 
     private final MissedRays missed;
@@ -162,8 +162,8 @@ public final class EnergyTracer {
     }
 
     /**
-     * The reading in the free field, without obstructions and reflections: spreading and absorption by the air alone.
-     * Exact.
+     * The reading in the free field, without obstructions and reflections: sound only spreads and is absorbed by the
+     * air. Exact.
      *
      * @param drone the drone's sound
      */
@@ -174,8 +174,8 @@ public final class EnergyTracer {
     }
 
     /**
-     * The reading of the paths that are found without any ray: straight, around edges, and by the specular
-     * reflections to which image sources of the sensor lead. Exact.
+     * The reading of those paths that are found without any ray: the straight path, paths around edges, and the
+     * specular reflections to which image sources of the sensor lead. Exact.
      *
      * @param drone the drone's sound
      */
@@ -200,7 +200,7 @@ public final class EnergyTracer {
         return convergence.isAccurate(quantity, heard(quantity), model.accuracy());
     }
 
-    /** What is compared with the background: a band of the tally, or all of them A-weighted. */
+    /** The quantity that is compared with the background: a band of the tally, or all bands with A-weighting. */
     private int decisive(SoundSource source) {
         if (model.criterion() == EnergyModel.Criterion.A_WEIGHTED) {
             return EnergyTally.A_WEIGHTED;
@@ -224,7 +224,7 @@ public final class EnergyTracer {
         return best;
     }
 
-    /** The sum of exact paths and rays, as intensity over power, 1/m2. */
+    /** The sum of exact paths and rays, as intensity divided by the source's power, 1/m2. */
     private double heard(int quantity) {
         return exactly(quantity) + tally.received(quantity);
     }
@@ -263,7 +263,7 @@ public final class EnergyTracer {
                 decay);
     }
 
-    /** Energies relative to that of 20 uPa, from intensities over the source's power. */
+    /** Energies relative to that of 20 uPa, from intensities divided by the source's power. */
     private List<Double> energies(SoundSource source, IntToDoubleFunction intensities) {
         List<Double> energies = new ArrayList<>(OctaveBands.COUNT);
         for (int band = 0; band < OctaveBands.COUNT; band++) {

@@ -12,8 +12,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * The deterministic paths: straight from source to sensor, through walls that transmit sound; around the edges of the
- * obstacles that hide the source; and by specular reflections. For use by one thread.
+ * The deterministic paths: the straight path from source to sensor, possibly through walls that transmit sound; the
+ * paths around the edges of the obstacles that hide the source; and those of specular reflections. For use by one
+ * thread.
  */
 final class ExactPaths {
     private static final int BANDS = OctaveBands.COUNT;
@@ -92,7 +93,7 @@ final class ExactPaths {
         ground.addTo(direct, mirrored, source, sensor);
     }
 
-    /** The walls of all paths over several of them, from the source on. */
+    /** The walls of all paths that several walls reflect, in order from the source on. */
     List<int[]> wallSequences() {
         return specular.found();
     }
@@ -102,7 +103,7 @@ final class ExactPaths {
         return direct.heard(band) + diffracted.heard(band) + mirrored.heard(band);
     }
 
-    /** Sound by the straight path: power over the sphere, reduced by air and walls. */
+    /** Sound by the straight path: the power spread over the sphere, reduced by air and walls. */
     FoundPaths direct() {
         return direct;
     }
@@ -142,7 +143,7 @@ final class ExactPaths {
         return isThrough ? walls.passed(band) : 0.0;
     }
 
-    /** What would arrive directly in each band without obstructions. */
+    /** The sound that would arrive directly in each band without obstructions. */
     double[] inTheOpen(SoundSource source, Position sensor) {
         double length = Math.max(source.position().distance(sensor), OWN);
         double rise = (sensor.z() - source.position().z()) / length;
@@ -158,8 +159,8 @@ final class ExactPaths {
         if (!edges.findPath(position, sensor, straightOn)) {
             return;
         }
-        // Over a bulge of smooth ground that exists only for bent paths, sound runs along the ground, and what that
-        // reflects with it.
+        // Over a bulge of smooth ground that exists only for bent paths, sound runs along the ground together with its
+        // reflection.
         double along = straightOn > 0.0 ? edges.ofSmoothGround() : 0.0;
         boolean isAlongGround =
                 along > 0.0 && ground.findBelow(position, sensor, edges.path().halfWay());
@@ -170,10 +171,9 @@ final class ExactPaths {
             edges.findNear(position, sensor, straightOn);
         }
         for (int band = 0; band < BANDS; band++) {
-            // The edges' loss is relative to what would arrive by the straight path. The air attenuates over the longer
-            // one, and sound spreads over it where the detour is long. Transmitted energy is not available for
-            // diffraction: both together never exceed the sound in
-            // the open.
+            // The edges' loss is relative to what would arrive by the straight path. The air attenuates sound over the
+            // longer path, and sound spreads over it if the detour is long. Transmitted energy is not available for
+            // diffraction: both together never exceed the sound in the open.
             double left = isGrazing ? edges.past(band) : edges.round(band);
             if (isAlongGround) {
                 left *= 1.0 + along * (ground.atGrazing(band, straight) - 1.0);

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Paths that were found one by one: the sound that arrives along them, as intensity over the source's power in all
- * bands, 1/m2.
+ * Paths that were found one by one: the sound that arrives along them, as intensity divided by the source's power in
+ * all bands, 1/m2.
  */
 final class FoundPaths {
     private static final int BANDS = OctaveBands.COUNT;
@@ -24,8 +24,8 @@ final class FoundPaths {
     /**
      * Adds a path.
      *
-     * @param length its length, m
-     * @param inBand what arrives along it, by band
+     * @param length length of the path, m
+     * @param inBand sound that arrives along it, by band
      */
     void add(double length, double[] inBand) {
         for (int band = 0; band < BANDS; band++) {
@@ -34,7 +34,7 @@ final class FoundPaths {
         append(length, inBand, 0);
     }
 
-    /** Adds all paths of others. */
+    /** Adds all paths of another collection. */
     void add(FoundPaths others) {
         for (int i = 0; i < others.count; i++) {
             append(others.lengths[i], others.brought, i * BANDS);
@@ -54,12 +54,12 @@ final class FoundPaths {
         count++;
     }
 
-    /** What is heard over all paths in a band. */
+    /** The sound heard along all paths in a band. */
     double heard(int band) {
         return heard[band];
     }
 
-    /** Puts every path into a decay curve at its time of arrival. */
+    /** Adds the sound of every path to a decay curve at its time of arrival. */
     void addTo(DecayCurve decay, double soundSpeed) {
         for (int i = 0; i < count; i++) {
             System.arraycopy(brought, i * BANDS, arriving, 0, BANDS);

@@ -15,32 +15,33 @@ import org.dronewatch.sound.surface.TurbulentCoherence;
 import org.dronewatch.world.World;
 
 /**
- * What the ground below direct sound reflects of it. Where the model states it, both interfere, unless walls dominate:
- * where other reflections carry more energy than both together, phases are taken as random, that of the ground
- * reflection included. It takes the place of the first-order reflections within the ground's Fresnel zone. Where air
- * bends the paths, those reflections come from here even if they do not interfere, since the straight paths meet the
- * ground elsewhere: then rough ground scatters as much of them as in still air, at grazing incidence, too, so that the
- * slightest gradient changes nothing. Sound scattered by rough ground is left to the rays. For use by one thread.
+ * The reflection of direct sound by the ground below it. If the model says so, the direct sound and this reflection
+ * interfere, unless walls dominate: if other reflections carry more energy than these two together, all phases are
+ * taken as random, including that of the ground reflection. This reflection takes the place of the first-order
+ * reflections within the ground's Fresnel zone. If the air bends the paths, those reflections come from here even if
+ * they do not interfere, since the straight paths meet the ground elsewhere. Rough ground then scatters as much of them
+ * as in still air, even at grazing incidence, so that the slightest gradient changes nothing. Sound scattered by rough
+ * ground is left to the rays. For use by one thread.
  */
 final class GroundReflection {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** The Fresnel zone is that of a sound in the middle of a drone's spectrum, Hz. */
+    /** The frequency for which the Fresnel zone is computed, in the middle of a drone's spectrum, Hz. */
     private static final double ZONE_FREQUENCY = 500.0;
 
     /**
-     * The least that is left of sound that bends up, as a fraction of the free field: turbulence scatters as much into
-     * the deepest shadow as into the deepest interference at its border, so that neither is deeper than {@value
-     * Barrier#LIMIT} dB.
+     * The least fraction of the free field that is left of sound that bends up: turbulence scatters as much sound into
+     * the deepest shadow as into the deepest interference at its border, so that neither is deeper than
+     * {@value Barrier#LIMIT} dB.
      */
     static final double DEEPEST = Levels.toRatio(-Barrier.LIMIT);
 
     /**
-     * Where sound bends up, direct and reflected ray come ever closer towards the border of the shadow, and coincide
-     * there. Turbulence, which makes rays wander, still keeps them apart: they count as at least this fraction of the
-     * distance at which they would pass each other in still air, and both ends as no lower above the ground. From the
-     * parabolic equation in turbulent air, which gives 0.16 to 0.21 in five cases of heights, gradient and frequency
-     * (BorderSeparationTest).
+     * Where sound bends up, the direct and the reflected ray come closer and closer to each other towards the border of
+     * the shadow, and coincide there. Turbulence, which makes rays wander, still keeps them apart: their distance is
+     * taken to be at least this fraction of the distance at which they would pass each other in still air, and the
+     * heights of both ends above the ground are taken to be no less than this implies. From the parabolic equation in
+     * turbulent air, which gives 0.16 to 0.21 in five cases of heights, gradient and frequency (BorderSeparationTest).
      */
     private static final double LEAST_SEPARATION = 0.19;
 
@@ -73,7 +74,7 @@ final class GroundReflection {
      *
      * @param isFree whether there is a line of sight; without direct sound there is nothing for the ground reflection
      *     to interfere with
-     * @param curvature of sound from the source to the sensor, 1/m
+     * @param curvature curvature of sound from the source to the sensor, 1/m
      */
     void find(SoundSource source, Position sensor, boolean isFree, double curvature) {
         replaced.clear();
@@ -84,7 +85,10 @@ final class GroundReflection {
                 && plane.find(source.position(), sensor, air.soundSpeed() / ZONE_FREQUENCY, curvature);
     }
 
-    /** Whether there is ground that interferes: then its bumps are not edges but part of the reflection. */
+    /**
+     * Whether there is ground whose reflection interferes: the bumps of the ground are then part of the reflection, not
+     * edges.
+     */
     boolean interferes() {
         return isFound && isCoherent;
     }
@@ -92,7 +96,7 @@ final class GroundReflection {
     /**
      * Searches for the ground along which sound travels in the shadow behind a bulge.
      *
-     * @param along how far along the straight line from the source, m
+     * @param along distance from the source along the straight line, m
      * @return whether there is any
      */
     boolean findBelow(Position source, Position sensor, double along) {
@@ -101,10 +105,10 @@ final class GroundReflection {
     }
 
     /**
-     * What the ground found last makes of sound that grazes it, as a multiple of what arrives directly: 4 for hard
-     * ground with interference, 2 without.
+     * The sound that grazes the ground found last, as a multiple of the sound that arrives directly: 4 for hard ground
+     * with interference, 2 without.
      *
-     * @param length of the path, m
+     * @param length length of the path, m
      */
     double atGrazing(int band, double length) {
         int material = plane.material();
@@ -114,7 +118,8 @@ final class GroundReflection {
             return 1.0 + reflected;
         }
         GroundImpedance ground = impedance == null ? GroundImpedance.RIGID : impedance;
-        // Rays that graze the ground leave and arrive at one angle, and the distances are as the roots of the heights.
+        // Rays that graze the ground leave and arrive at the same angle, and the distances are in proportion to the
+        // square roots of the heights.
         double source = Math.sqrt(Math.max(0.0, plane.firstOverGround()));
         double sensor = Math.sqrt(Math.max(0.0, plane.secondOverGround()));
         double scale =
@@ -122,13 +127,13 @@ final class GroundReflection {
         return between(ground, length, scale * source, scale * sensor, 0.0).inBand(band, 1.0, reflected);
     }
 
-    /** How far apart direct and reflected sound are at least, m: only where it bends up. */
+    /** The least distance between direct and reflected sound, m; it applies only where sound bends up. */
     private double leastSeparation() {
         double apart = TurbulentCoherence.separation(plane.firstOverGround(), plane.secondOverGround());
         return bendsUp && apart > 0.0 ? LEAST_SEPARATION * apart : 0.0;
     }
 
-    /** Interference at given heights above the plane that reflects. */
+    /** The interference at given heights above the reflecting plane. */
     private GroundInterference between(
             GroundImpedance ground, double straight, double source, double sensor, double unevenness) {
         double reflected = Math.sqrt(straight * straight + 4.0 * source * sensor);
@@ -141,14 +146,18 @@ final class GroundReflection {
         double source = plane.heightOfFirst();
         double sensor = plane.heightOfSecond();
         double raised = leastSeparation() / TurbulentCoherence.separation(source, sensor);
-        // The ground is as even as it is at the angle at which sound arrives.
+        // If the ends are raised, the unevenness is reduced, so that its effect remains that at the angle at which
+        // sound arrives.
         return raised > 1.0
                 ? between(ground, straight, raised * source, raised * sensor, plane.unevenness() / raised)
                 : new GroundInterference(
                         ground, air.soundSpeed(), straight, length, source, sensor, plane.unevenness(), turbulence);
     }
 
-    /** The fraction of the energy that is reflected; with an impedance, the interference includes what is absorbed. */
+    /**
+     * The fraction of the energy that is reflected; with an impedance, the interference already accounts for
+     * absorption.
+     */
     private double reflected(int material, GroundImpedance impedance, int band, double cosine) {
         if (!isCoherent) {
             return surfaces.mirrored(material, band, cosine);
@@ -158,8 +167,8 @@ final class GroundReflection {
     }
 
     /**
-     * Where a first-order reflection at a point belongs: among those that interfere or among the others. Along the
-     * ground it is part of the sound that travels there.
+     * The collection to which a first-order reflection at a point belongs: that of the reflections that interfere, or
+     * that of the others. If sound travels along the ground, the reflection is part of that sound.
      */
     FoundPaths among(FoundPaths others, double x, double y, double z) {
         boolean isReplaced = isFound ? plane.covers(x, y, z) : isAlong && plane.isBelow(x, y, z);

@@ -11,8 +11,8 @@ import org.dronewatch.sensor.acoustic.imagesource.WallPlanes;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Chooses the image sources that join scattered sound to an end: those that would otherwise leave too much to the rays
- * that happen to pass it. For use by one thread.
+ * Chooses the image sources that join scattered sound to an end: those without which too much would depend on the rays
+ * that happen to pass the end. For use by one thread.
  */
 final class JoinedImages {
     /** Maximum number of image sources that join scattered sound to an end. */
@@ -29,9 +29,9 @@ final class JoinedImages {
     private final double ofOneRay;
 
     /**
-     * A choice.
+     * Prepares to choose.
      *
-     * @param ofOneRay what a ray that passes an end contributes to a reading, as a fraction of its energy, 1/m2
+     * @param ofOneRay contribution to a reading of a ray that passes an end, as a fraction of the ray's energy, 1/m2
      */
     JoinedImages(WallPlanes planes, SpecularPath path, double ofOneRay) {
         this.planes = planes;
@@ -40,10 +40,11 @@ final class JoinedImages {
     }
 
     /**
-     * The image sources of an end by whose reflections most of the sound that is scattered at some points reaches it.
+     * The image sources of an end by whose reflections most of the sound that is scattered at given points reaches this
+     * end.
      *
-     * @param known what is heard without them
-     * @param first what is heard of an image source by reflections before all scattering
+     * @param known the sound heard without them
+     * @param first the sound heard from an image source by reflections before any scattering
      */
     ImageSources of(
             ImageSourceCandidates candidates, Position end, Samples near, double known, ToDoubleFunction<int[]> first) {

@@ -7,25 +7,28 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Joins a ray from the start to one from the target where both hit a surface near the same point, which is scattered
- * there from one to the other (vertex merging: Georgiev, Krivanek, Davidovic and Slusallek, SIGGRAPH Asia 2012). A
- * surface very near the target, such as the wall on which a microphone is mounted, is so loud to it that a ray which
- * hits just that point would otherwise stand out from thousands. Only rays are merged that come from a specular
- * reflection of which no image source is known: others are connected from either side. For use by one thread.
+ * Joins a ray from the start with one from the target if both hit a surface near the same point: the sound is scattered
+ * there from one ray into the other (vertex merging: Georgiev, Krivanek, Davidovic and Slusallek, SIGGRAPH Asia 2012).
+ * A surface very near the target, such as the wall on which a microphone is mounted, is so loud there that a single ray
+ * that happens to hit that point would otherwise outweigh thousands. Rays are merged only if they come from a specular
+ * reflection for which no image source is known: other rays are connected from either side. For use by one thread.
  */
 final class MergedRays {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** Rays meet within this fraction of the radius of the receiver. */
+    /** Rays meet if the points that they hit are within this fraction of the radius of the receiver. */
     private static final double NEAR = 0.5;
 
     /** Least cosine of the angle between the normals of two points that count as belonging to the same surface. */
     private static final double ALIKE = 0.99;
 
-    /** How far one of them may be off the plane of the other one, as a fraction of their distance. */
+    /**
+     * The greatest distance of one of two such points from the plane of the other, as a fraction of their distance from
+     * each other.
+     */
     private static final double OFF = 0.1;
 
-    /** Number of directions along a surface in which walls are looked for that limit it. */
+    /** Number of directions along a surface in which walls that limit it are searched for. */
     private static final int LOOKS = 8;
 
     private final int maxOrder;
@@ -39,7 +42,7 @@ final class MergedRays {
     /**
      * Merges rays.
      *
-     * @param radius of the receiver, m
+     * @param radius radius of the receiver, m
      */
     MergedRays(EnergyModel model, double radius, World world, BandSurfaces surfaces, EnergyTally tally) {
         this.maxOrder = model.maxOrder();
@@ -52,13 +55,16 @@ final class MergedRays {
     /**
      * The inverse density of a leg whose end is found because rays merge there (see {@link Connections}), m2.
      *
-     * @param radius of the receiver, m
+     * @param radius radius of the receiver, m
      */
     static double inverseDensity(double radius) {
         return Math.PI * NEAR * NEAR * radius * radius;
     }
 
-    /** Whether any of the points where a ray from the target was scattered is near that of a ray from the start. */
+    /**
+     * Whether any of the points at which a ray from the target was scattered is near the point that a ray from the
+     * start has hit.
+     */
     boolean mayAdd(AcousticRay ray, ScatteredSound scattered) {
         for (int i = 0; i < scattered.count(); i++) {
             if (isWithin(ray, scattered.point(i))) {
@@ -78,12 +84,12 @@ final class MergedRays {
     /**
      * Adds the sound that a surface scatters towards the target.
      *
-     * @param ray at the point where it hits the surface
-     * @param normal of the surface, on the ray's side
-     * @param material of the surface
-     * @param leaving the energy that leaves by Lambert's law, in each band
-     * @param arrival how the ray reached that point
-     * @param scattered where a ray from the target was scattered
+     * @param ray the ray, at the point at which it hits the surface
+     * @param normal normal of the surface, on the ray's side
+     * @param material material of the surface
+     * @param leaving the energy that leaves the surface by Lambert's law, in each band
+     * @param arrival the path by which the ray reached that point
+     * @param scattered the points at which a ray from the target was scattered
      */
     void add(
             AcousticRay ray,
@@ -120,7 +126,8 @@ final class MergedRays {
         double others = point.inverseDensity + arrival.inverseDensity(0, point.order - 1) - mine;
         double shared = 4.0 * Connections.weight(mine, others) / area(point);
         for (int band = 0; band < BANDS; band++) {
-            // The point's energy has lost what the surface absorbs, as has what leaves here: it is lost once.
+            // Both the point's energy and the energy that leaves here are already reduced by what the surface absorbs,
+            // which must be deducted only once.
             double scattering = surfaces.reflected(material, band) * surfaces.scattered(material, band);
             brought[band] = scattering > 0.0 ? leaving[band] * point.energy[band] / scattering * shared : 0.0;
         }

@@ -7,7 +7,7 @@ import org.dronewatch.sound.OctaveBands;
 /**
  * An allowance for rays that were not drawn: the possible contribution of a rare ray that is scattered once, by a
  * surface near one of the ends, where all other rays have missed this surface. The allowance is for the case in which
- * no ray has shown such a surface, and therefore does not depend on what rays contribute; where there is no such
+ * no ray has shown such a surface, and therefore does not depend on the contributions of rays; if there is no such
  * surface, it is too large.
  *
  * <p>A path that is scattered once, at the distances l and d from the ends and at the angles a and b to the surface's
@@ -29,7 +29,7 @@ final class MissedRays {
     /** Ends nearer to each other than this count as this far apart, m. */
     private static final double NEAREST = 1.0;
 
-    /** Two places in which the one end is heard, four for the other one. */
+    /** The number of paths: two apparent positions of one end, times four of the other. */
     private static final int PATHS = 8;
 
     /** A ray that passes the target early is taken to contribute this many times as much as the faintest. */
@@ -71,7 +71,8 @@ final class MissedRays {
     }
 
     /**
-     * What such a ray may contribute to the sum over all rays, as intensity over the source's power, 1/m2.
+     * The possible contribution of such a ray to the sum over all rays, as intensity divided by the source's power,
+     * 1/m2.
      *
      * @param quantity a band or {@link EnergyTally#A_WEIGHTED}
      */

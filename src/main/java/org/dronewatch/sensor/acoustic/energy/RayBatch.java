@@ -84,7 +84,7 @@ final class RayBatch {
         ray.put(packet, number);
     }
 
-    /** Goes on from the end of the segment that was put into a packet. */
+    /** Continues from the end of the segment that was put into a packet. */
     void take(RayPacket packet, int number) {
         count(ray.goOn(packet.isHit(number), packet.triangle(number), packet.distance(number)));
     }
@@ -101,12 +101,12 @@ final class RayBatch {
         }
     }
 
-    /** What the rays contributed. */
+    /** The contributions of the rays. */
     EnergyTally tally() {
         return tally;
     }
 
-    /** Where their energy went. */
+    /** The record of where the energy of the rays went. */
     EnergyLedger ledger() {
         return ledger;
     }

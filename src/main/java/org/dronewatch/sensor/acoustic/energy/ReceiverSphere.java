@@ -26,19 +26,19 @@ final class ReceiverSphere {
     /** Number of directions sampled to estimate the unobstructed volume of the sphere; accurate to about 1 %. */
     private static final int LOOKS = 100;
 
-    /** Within this radius a passing ray is taken to be as strong as one that reaches the centre, m. */
+    /** A ray that passes within this radius is taken to be as strong as one that reaches the centre, m. */
     private static final double NEAR = 1.0;
 
     /** The largest fraction of the known sound that a single ray should contribute when the fewest rays are traced. */
     private static final double APPRECIABLE = 0.002;
 
-    /** The largest radius relative to the length of a ray since it was scattered. */
+    /** The largest radius, as a fraction of the length of a ray since it was last scattered. */
     private static final double SLENDER = 0.5;
 
     /** No sphere is wider than this in order to catch more rays, m. */
     private static final double WIDEST = 25.0;
 
-    /** Nor, in a room, is it wider than this multiple of the radius of a ball of the room's volume. */
+    /** In a room, the sphere is no wider than this multiple of the radius of a ball with the room's volume. */
     private static final double ROOM = 1.5;
 
     private final double radius;
@@ -58,10 +58,10 @@ final class ReceiverSphere {
     private double widest;
     private double wanted;
 
-    /** The volume within the radius for rays from nearby, m3. */
+    /** The volume within the radius that applies to rays from nearby, m3. */
     private double smallestVolume;
 
-    /** The square of the radius for the longest rays, which is the largest. */
+    /** The square of the radius that applies to the longest rays, which is the largest radius, m2. */
     private double farthestSquared;
 
     private double length;
@@ -73,7 +73,7 @@ final class ReceiverSphere {
     /**
      * A sphere.
      *
-     * @param radius for rays from nearby, m
+     * @param radius radius that applies to rays from nearby, m
      */
     ReceiverSphere(double radius, World world, WallPlanes planes, BandSurfaces surfaces, Air air, EnergyTally tally) {
         this.radius = radius;
@@ -88,15 +88,15 @@ final class ReceiverSphere {
     /**
      * Centres the sphere at a point.
      *
-     * @param known estimate of what is heard without the passing rays, in all bands, as intensity over the source's
-     *     power, 1/m2; infinite if the sphere is not to be widened, since enough rays pass
+     * @param known estimate of the sound heard without the passing rays, in all bands, as intensity divided by the
+     *     source's power, 1/m2; infinite if the sphere is not to be widened, since enough rays pass
      */
     void surround(Position point, double known) {
         centre = point;
         centreX = point.x();
         centreY = point.y();
         centreZ = point.z();
-        // A ray contributes at most its energy over the cross-section of the sphere.
+        // A ray contributes at most its energy divided by the cross-section of the sphere.
         wanted = Math.sqrt(BANDS / (Math.PI * EnergyTracer.FEWEST * APPRECIABLE * known));
         double farthest = Math.max(radius, WIDEST);
         for (int i = 0; i < LOOKS; i++) {
@@ -122,8 +122,8 @@ final class ReceiverSphere {
      * The volume in line of sight of the centre within a radius. A part that a surface cuts off contributes nothing,
      * and is not part of the volume either: a drone just above a floor has half a sphere.
      *
-     * @param within at most the widest radius, m
-     * @return m3
+     * @param within the radius, at most the widest one, m
+     * @return the volume, m3
      */
     double volume(double within) {
         double cubes = 0.0;
@@ -155,10 +155,10 @@ final class ReceiverSphere {
     }
 
     /**
-     * Whether a ray crosses the sphere, over walls that lead to its centre.
+     * Whether a ray crosses the sphere by way of walls whose reflections lead to its centre.
      *
      * @param leg the ray's specular reflections since it began or was last scattered
-     * @param end how far the ray goes on from its origin, m
+     * @param end distance that the ray travels from its origin, m
      */
     boolean isCrossed(AcousticRay ray, SpecularLeg leg, double end, RandomGenerator random) {
         double middle = middle(ray);
@@ -167,7 +167,8 @@ final class ReceiverSphere {
             return false;
         }
         double besideSquared = Math.max(0.0, difference);
-        // To the centre itself, so that the sphere is the same for all rays over these walls.
+        // The path to the centre itself is tested, so that the sphere is the same for all rays reflected by these
+        // walls.
         double along = leg.length() + middle;
         length = Math.sqrt(along * along + besideSquared);
         double reach = reach(length);
@@ -210,7 +211,7 @@ final class ReceiverSphere {
         return rise;
     }
 
-    /** Sine of the elevation at which that path leaves the beginning of the ray's leg. */
+    /** Sine of the elevation at which the path of that ray leaves the beginning of its leg. */
     double riseFromBeginning() {
         return riseFromBeginning;
     }
@@ -218,7 +219,7 @@ final class ReceiverSphere {
     /**
      * Counts a ray that crosses the sphere.
      *
-     * @param energy in each band, at the ray's origin
+     * @param energy energy in each band, at the ray's origin
      * @param others the sum of the inverse densities of legs at which the same path could be connected
      */
     void count(AcousticRay ray, double[] energy, double others) {
@@ -235,20 +236,20 @@ final class ReceiverSphere {
 
     /**
      * The inverse density of a leg that is found because it passes the centre (see {@link Connections}): as with a
-     * connected leg, a ray contributes its energy over this.
+     * connected leg, a ray contributes its energy divided by this.
      *
-     * @param length of the leg, m
+     * @param length length of the leg, m
      */
     double inverseDensity(double length) {
         return Math.PI * reach(length) * reach(length);
     }
 
-    /** The inverse density of a leg that is found because rays merge where it ends, m2. */
+    /** The inverse density of a leg that is found because rays merge at its end, m2. */
     double inverseDensityOfMerging() {
         return MergedRays.inverseDensity(radius);
     }
 
-    /** Whether nothing is in the way between the centre and a point of a ray. */
+    /** Whether nothing obstructs the line between the centre and a point of a ray. */
     private boolean isSeen(AcousticRay ray, double at) {
         return visibility.isFree(
                 centre.x(),

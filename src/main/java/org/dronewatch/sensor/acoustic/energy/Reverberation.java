@@ -13,7 +13,7 @@ import org.dronewatch.sensor.RayRecorder;
  * small, estimated by the jackknife over the groups (Tukey 1958; Efron and Stein, Annals of Statistics 9, 1981).
  */
 final class Reverberation {
-    /** Rays of one group. */
+    /** Number of rays of one group. */
     private static final int RAYS = 2_000;
 
     private static final int FEWEST_GROUPS = 10;
@@ -31,13 +31,13 @@ final class Reverberation {
     /**
      * A reverberation time.
      *
-     * @param seconds T30
+     * @param seconds reverberation time T30, s
      * @param error its standard error, s
      */
     record Time(double seconds, double error) {}
 
     /**
-     * Measures.
+     * Measures the reverberation time.
      *
      * @param most fraction of the sound that may leave the site: if more does, one group is enough
      */
@@ -51,7 +51,7 @@ final class Reverberation {
         return found;
     }
 
-    /** A model for {@link #measure}. */
+    /** A model with which every ray is followed for long enough to {@link #measure} the reverberation time. */
     static EnergyModel patient(EnergyModel model) {
         return model.withRays(RAYS)
                 .withRoulette(Math.min(model.roulette(), PATIENCE))

@@ -12,8 +12,8 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Rough estimates of what is heard, from a few samples. They affect how accurately sound is computed, not its expected
- * value. For use by one thread.
+ * Rough estimates of the sound heard, from a few samples. They affect how accurately sound is computed, not its
+ * expected value. For use by one thread.
  */
 final class RoughEstimate {
     /** A sample nearer to an end than this does not represent others, m. */
@@ -32,7 +32,7 @@ final class RoughEstimate {
         this.anyTransmits = surfaces.anyTransmits();
     }
 
-    /** Direct sound, as intensity over power, 1/m2. */
+    /** Direct sound, as intensity divided by the source's power, 1/m2. */
     double straight(Position source, Position sensor) {
         double distance = Math.max(NEAREST, source.distance(sensor));
         return visibility.isFree(source, sensor) ? 1.0 / (4.0 * Math.PI * distance * distance) : 0.0;
@@ -40,7 +40,7 @@ final class RoughEstimate {
 
     /**
      * The fraction of direct sound that passes through walls, rounded down to a power of ten, so that it is the same
-     * for many places; 1 where no direct sound arrives at all.
+     * for many positions; 1 if no direct sound arrives at all.
      */
     double through(Position source, Position sensor) {
         if (!anyTransmits

@@ -16,8 +16,8 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Where a few rays from a point are scattered: a rough picture of where the sound that is scattered to it comes from.
- * For use by one thread.
+ * The points at which a few rays from a given point are scattered: a rough picture of where the sound that is scattered
+ * to this point comes from. For use by one thread.
  */
 final class ScatterSamples {
     /** The same point has the same samples: they affect how sound is computed, not its expected value. */
@@ -56,7 +56,7 @@ final class ScatterSamples {
     /**
      * A point of a surface where sound was scattered.
      *
-     * @param at where, m
+     * @param at position of the point, m
      * @param normal unit normal of the surface on the side of the sound
      * @param wall the plane of the surface, or {@link WallPlanes#NONE}
      * @param energy the fraction of a ray's energy that is scattered there, mean of all bands
@@ -66,8 +66,8 @@ final class ScatterSamples {
     /**
      * All samples of a point.
      *
-     * @param points where its rays were scattered
-     * @param rays how many rays left it
+     * @param points points at which its rays were scattered
+     * @param rays number of rays that left it
      * @param escaped the fraction of them that left the site
      * @param left the mean fraction of their energy that is left after the last surface, 0 for those that left the site
      * @param materials the materials of the surfaces that scattered them
@@ -77,8 +77,8 @@ final class ScatterSamples {
     /**
      * Samples of a point.
      *
-     * @param rays how many rays leave it
-     * @param most how many surfaces each of them hits
+     * @param rays number of rays that leave it
+     * @param most maximum number of surfaces that each of them hits
      */
     Samples from(Position point, int rays, int most) {
         SplittableRandom random = new SplittableRandom(SEED);

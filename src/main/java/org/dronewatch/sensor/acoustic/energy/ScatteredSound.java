@@ -14,8 +14,9 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Where one ray from the target is scattered. Each such point is a target for rays from the start: those rays alone
- * almost never hit the surfaces near the target when a drone flies low or lies on the ground. For use by one thread.
+ * The points at which one ray from the target is scattered. Each of them is a target for rays from the start, which by
+ * themselves almost never hit the surfaces near the target when a drone flies low or lies on the ground. For use by one
+ * thread.
  */
 final class ScatteredSound {
     private static final int BANDS = OctaveBands.COUNT;
@@ -60,18 +61,21 @@ final class ScatteredSound {
         }
     }
 
-    /** A point of a surface that scatters what comes from the target. */
+    /** A point of a surface that scatters sound from the target. */
     static final class Point {
         /** Unit normal of the surface, on the side of the ray. */
         final double[] normal = new double[3];
 
-        /** What it scatters, by band, W, as if all the power of a one-watt source had arrived here. */
+        /** The energy that it scatters, by band, W, as if all the power of a one-watt source had arrived here. */
         final double[] energy = new double[BANDS];
 
         /** The images of this point in the walls of the image sources of the target. */
         double[] images = new double[3];
 
-        /** Whether rays from the start may merge here: where the sound is scattered first, on a connected path. */
+        /**
+         * Whether rays from the start may merge here: they may at the point at which the sound is first scattered, on a
+         * connected path.
+         */
         boolean isConnected;
 
         /** Number of the surface's material. */
@@ -80,7 +84,7 @@ final class ScatteredSound {
         /** The plane of the surface, or {@link WallPlanes#NONE}. */
         int wall;
 
-        /** Where it is, m. */
+        /** The x coordinate of the point, m. */
         double x;
 
         double y;
@@ -89,10 +93,10 @@ final class ScatteredSound {
         /** Length of the path from the target, m. */
         double distance;
 
-        /** How many surfaces the sound has hit, including this one. */
+        /** The number of surfaces that the sound has hit, including this one. */
         int order;
 
-        /** How many times the sound has been scattered, including here. */
+        /** The number of times that the sound has been scattered, including here. */
         int scatterings;
 
         /** The sum of the inverse densities of all legs from the target to here. */
@@ -161,7 +165,7 @@ final class ScatteredSound {
                 // Indoors, enough of them do.
                 return order;
             } else if (isFirstConnected && scatterings == 1) {
-                // Rays from the start may merge with this one where it was scattered first.
+                // Rays from the start may merge with this one at the point at which it was first scattered.
                 inverseDensity += ofTarget.inverseDensityOfMerging();
             }
             if (surfaces.anyScatters()) {

@@ -16,11 +16,11 @@ import org.dronewatch.world.NoiseSource;
 import org.dronewatch.world.World;
 
 /**
- * The noise that a microphone hears without drones: the background, and the site's noise sources through the world. Its
- * rays depend on the names of the sources only, so it is the same in every run. What few rays bring is part of it:
- * without that, a drone would be heard too easily.
+ * The noise that a microphone hears without drones: the background, and the site's noise sources through the world. The
+ * rays depend only on the names of the sources, so the noise is the same in every run. Sound that only a few rays carry
+ * is part of it: without that sound, a drone would be heard too easily.
  *
- * @param levels by band, dB re 20 uPa
+ * @param levels sound pressure levels by band, dB re 20 uPa
  * @param isConverged whether a sufficient number of rays contributed to the sound of each source
  */
 record SiteNoise(BandLevels levels, boolean isConverged) {
@@ -29,8 +29,8 @@ record SiteNoise(BandLevels levels, boolean isConverged) {
     /**
      * The noise at a microphone.
      *
-     * @param listener where the microphone is, m
-     * @param tracer that traces sound to it
+     * @param listener position of the microphone, m
+     * @param tracer the tracer of sound to it
      */
     static SiteNoise at(Position listener, World world, EnergyTracer tracer) {
         BandLevels background = world.backgroundNoise().spectrum();
@@ -53,7 +53,7 @@ record SiteNoise(BandLevels levels, boolean isConverged) {
         return new SiteNoise(BandLevels.of(levels), isConverged);
     }
 
-    /** Adds the energy of a source; gives whether all of its parts have converged. */
+    /** Adds the energy of a source, and returns whether all of its parts have converged. */
     private static boolean add(
             String name, NoiseSource source, Position listener, EnergyTracer tracer, double[] energy) {
         boolean isConverged = true;
@@ -65,7 +65,7 @@ record SiteNoise(BandLevels levels, boolean isConverged) {
             }
             SoundSource piece = new SoundSource(pieces.get(i).position(), power, Directivity.OMNIDIRECTIONAL);
             EnergyReading heard = tracer.trace(piece, Draws.stream(0L, "", name, i, "noise"), RayRecorder.NONE);
-            // Silence is never known from rays alone, but what no path and no ray carries adds nothing.
+            // Rays alone can never prove silence, but a source whose sound arrives by no path and no ray adds nothing.
             isConverged &= heard.isConverged() || heard.totalLevel() == Double.NEGATIVE_INFINITY;
             for (int band = 0; band < BANDS; band++) {
                 energy[band] += Levels.toRatio(heard.level(band));

@@ -64,12 +64,12 @@ public final class SoundSource {
         return lines;
     }
 
-    /** Power of all bands together, over 1 pW. */
+    /** Power of all bands together, relative to 1 pW. */
     double emitted() {
         return emitted;
     }
 
-    /** Power in a band over that of all bands; 0 in all bands of silence. */
+    /** Power in a band as a fraction of that of all bands; 0 for silence. */
     double fraction(int band) {
         return emitted > 0.0 ? power[band] / emitted : 0.0;
     }
@@ -84,8 +84,8 @@ public final class SoundSource {
     }
 
     /**
-     * Intensity in a band over the source's power, 1/m2: spread over the sphere and attenuated by the air. Nearer than
-     * {@value #SIZE} m it no longer increases: a drone is not a point.
+     * Intensity in a band divided by the source's power, 1/m2: spread over the sphere and attenuated by the air. At
+     * distances below {@value #SIZE} m, it no longer increases, since a drone is not a point.
      *
      * @param rise sine of the elevation at which the sound leaves
      * @param length length of the path, m

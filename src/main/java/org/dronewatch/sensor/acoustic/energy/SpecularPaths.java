@@ -16,7 +16,7 @@ import org.dronewatch.world.Clearance;
 import org.dronewatch.world.World;
 
 /**
- * Paths of specular reflections alone, exact: one for every wall, and those of the image sources of higher order that
+ * Exact paths of specular reflections alone: one for every wall, and those of the image sources of higher order that
  * rays from the sensor or from the source have found. For use by one thread.
  */
 final class SpecularPaths {
@@ -56,10 +56,10 @@ final class SpecularPaths {
     private Position fromSensor;
     private PathCurvature curvature = PathCurvature.NONE;
 
-    /** The walls of paths over one wall. */
+    /** The walls of paths that one wall reflects. */
     private final List<int[]> singles = new ArrayList<>();
 
-    /** The walls of paths over several walls, from the source on. */
+    /** The walls of paths that several walls reflect, in order from the source on. */
     private final List<int[]> found = new ArrayList<>();
 
     private double[] imagePositions = new double[0];
@@ -78,7 +78,7 @@ final class SpecularPaths {
     /**
      * Begins a look.
      *
-     * @param ofAir how air bends the paths
+     * @param ofAir curvature that the air gives to the paths
      */
     void begin(SoundSource from, Position to, PathCurvature ofAir) {
         double off = Math.min(MOST_OFF, OFF * planes.tolerance());
@@ -136,9 +136,8 @@ final class SpecularPaths {
     }
 
     /**
-     * Adds paths that a wall beside both ends reflects on their way over other walls. Rays from either end hit that
-     * wall first, unless they run along it, and so miss these paths, which carry as much sound as those that run along
-     * it.
+     * Adds paths that a wall beside both ends reflects, in addition to other walls. Rays from either end hit that wall
+     * first, unless they run along it, and so miss these paths, which carry as much sound as those that run along it.
      *
      * @param first walls that rays from the ends hit first: those beside both ends are among them
      * @param maxOrder maximum number of walls of a path
@@ -211,12 +210,12 @@ final class SpecularPaths {
         return less;
     }
 
-    /** The walls of all paths over several of them that were added last, from the source on. */
+    /** The walls of all paths added last that several walls reflect, in order from the source on. */
     List<int[]> found() {
         return List.copyOf(found);
     }
 
-    /** A sequence backward. */
+    /** A sequence of walls in reverse order. */
     static int[] reversed(int[] walls) {
         return IntStream.range(0, walls.length)
                 .map(i -> walls[walls.length - 1 - i])
@@ -234,8 +233,8 @@ final class SpecularPaths {
      * Adds the last path unless it is known: at the edge of two perpendicular walls, both orders of the walls give the
      * same path.
      *
-     * @param walls from the source on
-     * @param side positive where the path was followed from the source, negative where from the sensor
+     * @param walls the walls, in order from the source on
+     * @param side positive if the path was followed from the source, negative if it was followed from the sensor
      */
     private void addIfNew(FoundPaths paths, int[] walls, double side) {
         double x = path.length() * path.leaving(side, 0);
@@ -258,7 +257,10 @@ final class SpecularPaths {
         add(paths, lengthOver(walls), side > 0.0 ? path.riseFromBeginning() : path.riseFromEnd());
     }
 
-    /** The length of a path over some walls between the source and the sensor themselves, m. */
+    /**
+     * The length of a path by way of given walls between the source and the sensor themselves, which are not kept off
+     * surfaces here, m.
+     */
     private double lengthOver(int[] walls) {
         Position drone = source.position();
         double[] image = {drone.x(), drone.y(), drone.z()};

@@ -18,13 +18,15 @@ final class WorthwhileImages {
     private final WallPlanes planes;
     private final double ofOneRay;
 
-    /** The mean over all bands of what the wall's best reflector leaves of specularly reflected energy. */
+    /**
+     * For each wall, the fraction of the energy that its best reflector reflects specularly, averaged over all bands.
+     */
     private final double[] mirrored;
 
     /**
      * Image sources in the walls of a world.
      *
-     * @param ofOneRay what one ray that passes the source contributes, as intensity over the source's power, 1/m2
+     * @param ofOneRay contribution of one ray that passes the source, as intensity divided by the source's power, 1/m2
      */
     WorthwhileImages(World world, WallPlanes planes, BandSurfaces surfaces, double ofOneRay) {
         this.planes = planes;
@@ -47,11 +49,11 @@ final class WorthwhileImages {
     }
 
     /**
-     * Those image sources that are worthwhile, and their parents.
+     * The image sources that are worth searching for, and their parents.
      *
-     * @param from where they were found
-     * @param to where they may lead
-     * @param known what is heard without them
+     * @param from position from which they were found, m
+     * @param to position to which they may lead, m
+     * @param known the sound heard without them
      */
     ImageSources among(ImageSources imageSources, Position from, Position to, double known) {
         double[] images = new double[3 * imageSources.count()];

@@ -3,18 +3,18 @@ package org.dronewatch.sensor.acoustic.imagesource;
 import org.dronewatch.world.Visibility;
 
 /**
- * Where walls meet, rounding decides on which side of the other walls a point in one of them lies, and where two
- * surfaces of one plane coincide, which of them is met. This class tests points slightly away from there, or moved to
- * the nearest point of a grid. For use by one thread.
+ * Tests the corners of walls in spite of rounding. Where walls meet, rounding decides on which side of the other walls
+ * a point in one of them lies; where two surfaces in one plane coincide, it decides which of them is met. So this class
+ * tests points slightly away from there, or moved to the nearest point of a grid. For use by one thread.
  */
 final class Corners {
-    /** How far away, as a multiple of the planes' tolerance. */
+    /** The distance of the tested points from a corner, as a multiple of the planes' tolerance. */
     static final double BESIDE = 30.0;
 
-    /** Points per metre of the grid, a power of two: about a micrometre. */
+    /** The number of points per metre of the grid, a power of two; their spacing is about a micrometre. */
     private static final double GRID = 1 << 20;
 
-    /** A face whose normal is at least this far from that of a wall, as a cosine, stands on it. */
+    /** A face stands on a wall if the cosine of the angle between their normals is smaller than this in magnitude. */
     private static final double STEEP = 0.9;
 
     private final WallPlanes planes;
@@ -27,14 +27,14 @@ final class Corners {
     }
 
     /**
-     * Whether another wall stands in the corner in which a leg begins: rounding may have put its beginning behind that
-     * wall, so that the leg does not cross it. The last leg came from the right side.
+     * Whether another wall stands in the corner in which a leg begins: rounding may have put the beginning of the leg
+     * behind that wall, so that the leg does not cross it. The previous leg came from the right side.
      *
-     * @param before where the last leg began, m
-     * @param x of the beginning, on a wall, m
-     * @param dx along the leg to its end, m
-     * @param here the walls on which it begins
-     * @param next on which it ends, or {@link WallPlanes#NONE}
+     * @param before beginning of the previous leg, m
+     * @param x x coordinate of the beginning, on a wall, m
+     * @param dx x component of the vector along the leg to its end, m
+     * @param here the walls on which the leg begins
+     * @param next the wall on which the leg ends, or {@link WallPlanes#NONE}
      */
     boolean isCut(
             double[] before, double x, double y, double z, double dx, double dy, double dz, MetWalls here, int next) {
@@ -60,19 +60,19 @@ final class Corners {
         return met != WallPlanes.NONE && (met == next || here.contains(met));
     }
 
-    /** The part of a vector that is not longer than a step, nor than half of it. */
+    /** The fraction of a vector at which its length is that of a step, but at most half. */
     private static double part(double step, double x, double y, double z) {
         return Math.min(0.5, step / Math.sqrt(x * x + y * y + z * z));
     }
 
     /**
-     * Of several triangles that coincide in one plane, the same one for all paths that are reflected at a point, from
-     * either end: rounding would make that a matter of the direction.
+     * One of several triangles that coincide in a plane: the same one for all paths that are reflected at a point, from
+     * either end. Otherwise, rounding would make it depend on the direction.
      *
      * @param triangle one of them
      * @param wall the plane
-     * @param x of the point, m
-     * @param seenX of a point on the side from which the plane is seen, m
+     * @param x x coordinate of the point, m
+     * @param seenX x coordinate of a point on the side from which the plane is seen, m
      */
     int uppermost(int triangle, int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
         double off = Math.copySign(BESIDE * planes.tolerance(), planes.height(wall, seenX, seenY, seenZ));
@@ -88,9 +88,9 @@ final class Corners {
      * The triangle of a wall at a point in it.
      *
      * @param wall the plane
-     * @param x of the point, m
-     * @param seenX of a point on the side from which the plane is seen, m
-     * @return its number; negative if the wall is not there, or if something lies just in front of it
+     * @param x x coordinate of the point, m
+     * @param seenX x coordinate of a point on the side from which the plane is seen, m
+     * @return number of the triangle; negative if the wall is not there, or if something lies just in front of it
      */
     int inFront(int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
         double off = Math.copySign(BESIDE * planes.tolerance(), planes.height(wall, seenX, seenY, seenZ));
@@ -99,7 +99,7 @@ final class Corners {
         double nz = off * planes.normal(wall, 2);
         boolean found = visibility.findFirstAlong(
                 onGrid(x) + nx, onGrid(y) + ny, onGrid(z) + nz, -2.0 * nx, -2.0 * ny, -2.0 * nz, 1.0);
-        // What stands on the wall, and reaches the point by rounding alone, is crossed elsewhere.
+        // A face that stands on the wall, and reaches the point only because of rounding, is crossed elsewhere.
         while (found && planes.wallOf(visibility.triangle()) != wall && stands(visibility.triangle(), wall)) {
             found = visibility.findNext();
         }
@@ -115,19 +115,22 @@ final class Corners {
         return Math.abs(along) < STEEP * size;
     }
 
-    /** The nearest multiple of a length that is far above the rounding of a point and far below the tolerance. */
+    /**
+     * The coordinate rounded to the nearest multiple of a length that is far above the rounding error of a point and
+     * far below the tolerance.
+     */
     private static double onGrid(double coordinate) {
         return Math.rint(coordinate * GRID) / GRID;
     }
 
     /**
-     * The triangle of a wall beside its edge with another one.
+     * The triangle of a wall beside its edge with another wall.
      *
      * @param other the other wall
      * @param wall the wall
-     * @param x of a point in the edge, m
-     * @param seenX of a point on that side of both walls from which they are seen, m
-     * @return its number; negative if the wall is not there
+     * @param x x coordinate of a point in the edge, m
+     * @param seenX x coordinate of a point on that side of both walls from which they are seen, m
+     * @return number of the triangle; negative if the wall is not there
      */
     int besideEdge(int other, int wall, double x, double y, double z, double seenX, double seenY, double seenZ) {
         double step = BESIDE * planes.tolerance();

@@ -13,7 +13,10 @@ import org.dronewatch.world.World;
  * are merged when the path leaves the solid. For use by one thread.
  */
 public final class CrossedFaces {
-    /** Up to this weight of a corner, a point lies on the opposite edge: above the rounding error of points. */
+    /**
+     * A point at which the weight of a corner is no more than this counts as lying on the opposite edge: greater than
+     * the rounding error of points.
+     */
     private static final double EDGE = 1e-9;
 
     private final World world;
@@ -25,14 +28,14 @@ public final class CrossedFaces {
     private int[] materials = new int[4];
     private int[] triangles = new int[4];
 
-    /** Twice the number of faces: one that is met on an edge counts half, since it has a neighbour there. */
+    /** Twice the number of faces: a face that is met on an edge counts half, since it has a neighbour there. */
     private int[] halves = new int[4];
 
     private TouchingFaces touching;
     private int count;
     private double beyond;
 
-    /** The faces of a world, none found yet. */
+    /** A search among the faces of a world, without any faces found yet. */
     public CrossedFaces(World world, BandSurfaces surfaces) {
         this.world = world;
         this.mesh = world.mesh();
@@ -58,7 +61,7 @@ public final class CrossedFaces {
         beyond = 0.0;
         add(triangle, material, 2);
         if (touching == null) {
-            // Only where sound passes through walls.
+            // Needed only where sound passes through walls.
             touching = TouchingFaces.of(world);
         }
         for (int other : touching.of(triangle)) {
@@ -76,7 +79,7 @@ public final class CrossedFaces {
         }
     }
 
-    /** The least of a point's weights of a triangle's corners: negative outside the triangle. */
+    /** The least of the barycentric coordinates of a point in a triangle: negative outside the triangle. */
     private double leastWeight(int triangle, double x, double y, double z) {
         double square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         for (int corner = 0; corner < 3; corner++) {

@@ -8,12 +8,12 @@ import java.util.Arrays;
  * object, for use by one thread.
  */
 public final class EnteredSolids {
-    /** Air: within no solid. Not to be modified. */
+    /** No solids: the path is in the air. Not to be modified. */
     public static final EnteredSolids NONE = new EnteredSolids();
 
     private int[] materials = new int[4];
 
-    /** The number of faces through which each was entered: several that coincide belong to one solid. */
+    /** The number of faces through which each solid was entered: several faces that coincide belong to one solid. */
     private int[] faces = new int[4];
 
     private int count;
@@ -42,7 +42,7 @@ public final class EnteredSolids {
     /**
      * Enters a solid.
      *
-     * @param through the number of its faces that coincide there, 1 or more
+     * @param through number of its faces that coincide at the point of entry, 1 or more
      */
     void enter(int material, int through) {
         if (count == materials.length) {
@@ -66,7 +66,7 @@ public final class EnteredSolids {
     /**
      * Leaves the solid of a material if the path is within one.
      *
-     * @return whether it was
+     * @return whether the path was within one
      */
     boolean leave(int material) {
         for (int i = count - 1; i >= 0; i--) {

@@ -7,10 +7,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * Whether the legs of a path of specular reflections are clear, and which triangles they hit. For use by one thread.
+ * Tests whether the legs of a path of specular reflections are clear, and finds the triangles that they hit. For use by
+ * one thread.
  */
 final class FreeLegs {
-    /** The largest part of a leg, at either end, along which an arc need not be free. */
+    /** The largest fraction of a leg, at either end, along which an arc need not be clear. */
     private static final double MOST_OFF = 0.01;
 
     private final WallPlanes planes;
@@ -40,7 +41,7 @@ final class FreeLegs {
         return isBehindWall;
     }
 
-    /** Where walls meet. */
+    /** The tests of corners, where walls meet. */
     Corners corners() {
         return corners;
     }
@@ -60,9 +61,9 @@ final class FreeLegs {
     }
 
     /**
-     * Whether a leg that is free as a straight line is so as an arc.
+     * Whether a leg that is clear as a straight line is also clear as an arc.
      *
-     * @param bent its curvature, 1/m
+     * @param bent curvature of the arc, 1/m
      */
     boolean isFreeAsArc(double x, double y, double z, double dx, double dy, double dz, double bent) {
         double whole = Math.sqrt(dx * dx + dy * dy + dz * dz);
@@ -81,8 +82,8 @@ final class FreeLegs {
     /**
      * The triangle at which a leg of a path hits a wall.
      *
-     * @param fraction fraction of the vector at which it should
-     * @return its number; negative if something else is hit first
+     * @param fraction fraction of the vector at which it should hit the wall
+     * @return number of the triangle; negative if something else is hit first
      */
     int met(double x, double y, double z, double dx, double dy, double dz, double fraction, int from, int to) {
         if (!findFirst(x, y, z, dx, dy, dz, Double.POSITIVE_INFINITY, from)) {
@@ -99,14 +100,14 @@ final class FreeLegs {
         if (met == WallPlanes.NONE || !planes.meet(met, to)) {
             return -1;
         }
-        // In the edge of two walls rounding decides which of them is met first.
+        // At the edge between two walls, rounding decides which of them is met first.
         double off = Math.abs(visibility.distance() - fraction) * Math.sqrt(dx * dx + dy * dy + dz * dz);
         return off < planes.tolerance()
                 ? corners.besideEdge(met, to, x + fraction * dx, y + fraction * dy, z + fraction * dz, x, y, z)
                 : -1;
     }
 
-    /** Whether the last leg of a path, from a wall to the path's end, is free. */
+    /** Whether the last leg of a path, from a wall to the path's end, is clear. */
     boolean isFreeToTheEnd(double x, double y, double z, double dx, double dy, double dz, int wall) {
         boolean found = findFirst(x, y, z, dx, dy, dz, 1.0, wall);
         if (found) {
@@ -116,8 +117,8 @@ final class FreeLegs {
     }
 
     /**
-     * Finds what a leg of a path hits first. The wall that it comes from is flat and hides nothing of what lies
-     * before it, though rounding may have put the leg's beginning behind one of its triangles.
+     * Finds what a leg of a path hits first. The wall from which the leg comes is flat and hides nothing in front of
+     * it, though rounding may have put the leg's beginning behind one of the wall's triangles.
      */
     private boolean findFirst(double x, double y, double z, double dx, double dy, double dz, double end, int wall) {
         boolean found = visibility.findFirstAlong(x, y, z, dx, dy, dz, end);

@@ -61,7 +61,7 @@ public final class ImageSourceCandidates {
         return ((long) parent << Integer.SIZE) + wall;
     }
 
-    /** Where a key is, or the free slot where it would be. */
+    /** The slot that holds a key, or the free slot in which the key would be put. */
     private int slot(long key) {
         int mask = keys.length - 1;
         long mixed = key * 0x9E3779B97F4A7C15L;
@@ -164,7 +164,10 @@ public final class ImageSourceCandidates {
         return new ImageSources(itsParents, itsWalls);
     }
 
-    /** The images of most worth, if there are more than can be kept; of equal ones, those that were added first. */
+    /**
+     * The images with the greatest worth, if there are more than can be kept; of images with equal worth, those that
+     * were added first.
+     */
     private int[] mostWorthy(int[] images, int most) {
         double[] sorted = Arrays.stream(images)
                 .mapToDouble(image -> worths[image])

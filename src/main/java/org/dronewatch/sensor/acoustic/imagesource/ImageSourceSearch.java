@@ -17,22 +17,22 @@ import org.dronewatch.world.World;
  * neighbouring rays may be missed. Searches from the same point give the same image sources. For use by one thread.
  */
 public final class ImageSourceSearch {
-    /** A ray that has less than this fraction of its energy left after reflections is abandoned. */
+    /** A ray is abandoned if less than this fraction of its energy is left after reflections. */
     static final double FAINT = 1e-3;
 
-    /** How many times the search is refined around rays that alone have found an image source. */
+    /** The number of times that the search is refined around rays that alone have found an image source. */
     private static final int DEEPEST = 3;
 
-    /** How many rays are sent around one of them. */
+    /** The number of rays that are sent around each of them. */
     private static final int AROUND = 8;
 
-    /** Factor by which their spacing shrinks each time: this many rays share a disc. */
+    /** Factor by which the spacing of rays shrinks each time: {@link #AROUND} rays share a disc. */
     private static final double FINER = 1.0 / Math.sqrt(AROUND);
 
     /** Image sources that keep less of a ray's energy than this are not refined. */
     private static final double WORTH_A_LOOK = 0.03;
 
-    /** An image source found by this few rays has neighbours that were missed. */
+    /** An image source found by no more than this number of rays is assumed to have neighbours that were missed. */
     private static final double FEW = 2.0;
 
     private final World world;
@@ -86,7 +86,7 @@ public final class ImageSourceSearch {
             Directions.ofLattice(i, rays, ray);
             follow(tree, from, maxOrder, lonely);
         }
-        // The approximate spacing of the lattice's points.
+        // The approximate angle between neighbouring points of the lattice.
         double spacing = Math.sqrt(4.0 * Math.PI / rays);
         int left = rays;
         for (int depth = 0; depth < DEEPEST && !lonely.isEmpty(); depth++) {
@@ -128,7 +128,10 @@ public final class ImageSourceSearch {
         return tree;
     }
 
-    /** Gives the ray one of several directions about another one, evenly spread over a disc (a sunflower's seeds). */
+    /**
+     * Gives the ray one of several directions about a given one; they are spread evenly over a disc, like the seeds of
+     * a sunflower.
+     */
     private void turn(double[] about, double radius, int number) {
         double[] across = Math.abs(about[2]) < 0.9
                 ? new double[] {about[1], -about[0], 0.0}
@@ -147,7 +150,10 @@ public final class ImageSourceSearch {
         ray.directionZ = z / whole;
     }
 
-    /** Follows the ray in its direction; keeps that if the ray has found an image source that few others have. */
+    /**
+     * Follows the ray in its direction, and keeps that direction if the ray has found an image source that few others
+     * have found.
+     */
     private void follow(ImageSourceCandidates tree, Position from, int maxOrder, List<double[]> lonely) {
         double[] direction = {ray.directionX, ray.directionY, ray.directionZ};
         ray.originX = from.x();

@@ -145,11 +145,14 @@ public final class ImageSources {
      * @param key key of the sequence, made with {@link #appended} or {@link #prepended}
      */
     public boolean contains(int order, long key) {
-        // Rays have mostly hit more walls than any image has: they need no search.
+        // Most rays have hit more walls than any image has: no search is needed for them.
         return order <= highestOrder && keys[slot(key)] == key;
     }
 
-    /** Where a key is, or the free slot where it would be. Keys are random numbers: their last bits will do. */
+    /**
+     * The slot that holds a key, or the free slot in which the key would be put. Keys are like random numbers, so their
+     * last bits suffice as a hash.
+     */
     private int slot(long key) {
         int mask = keys.length - 1;
         int slot = (int) key & mask;

@@ -6,18 +6,18 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * What the walls on a path of specular reflections transmit and reflect: each leg passes through them like direct
- * sound, and solids that the path has entered before a reflection are left after it. The path is followed a little
- * before the walls that reflect it, across their corners: whatever stands on a wall there is crossed once, on whichever
- * side of the reflection rounding has put it. For use by one thread.
+ * The fraction of sound that the walls on a path of specular reflections transmit and reflect: each leg passes through
+ * walls like direct sound, and solids that the path has entered before a reflection are left after it. At a reflection,
+ * the path is followed a little in front of the wall, across its corners: anything that stands on the wall there is
+ * crossed once, no matter on which side of the reflection rounding has put it. For use by one thread.
  */
 final class LegsThroughWalls {
     private static final int BANDS = OctaveBands.COUNT;
 
-    /** How far in front of walls, as a multiple of the planes' tolerance. */
+    /** The distance in front of walls at which the path is followed, as a multiple of the planes' tolerance. */
     private static final double BEFORE = 3.0;
 
-    /** The largest part of a leg, at either end, that is cut off. */
+    /** The largest fraction of a leg that is cut off at either end. */
     private static final double MOST = 0.4;
 
     private final World world;
@@ -31,7 +31,7 @@ final class LegsThroughWalls {
     private double y;
     private double z;
 
-    /** The wall that reflects the path first in the corner before the present leg, or NONE. */
+    /** The wall that first reflects the path in the corner before the current leg, or NONE. */
     private int corner;
 
     LegsThroughWalls(World world, WallPlanes planes, BandSurfaces surfaces) {
@@ -54,9 +54,9 @@ final class LegsThroughWalls {
     /**
      * Follows a leg of the path.
      *
-     * @param fromX of its beginning, m
-     * @param dx along it to its end, m
-     * @param curvature of sound on it, 1/m
+     * @param fromX x coordinate of its beginning, m
+     * @param dx x component of the vector along it to its end, m
+     * @param curvature curvature of sound along it, 1/m
      * @param from the wall on which it begins, or {@link WallPlanes#NONE}
      * @param to the wall on which it ends, or NONE
      * @return whether any of the sound arrives
@@ -82,7 +82,7 @@ final class LegsThroughWalls {
         return moveTo(fromX + end * dx, fromY + end * dy, fromZ + end * dz, curvature, from, to);
     }
 
-    /** The part of a leg that lies near the wall at one end. */
+    /** The fraction of a leg that lies near the wall at one end. */
     private double part(double heightOfOtherEnd) {
         return Math.min(MOST, BEFORE * planes.tolerance() / Math.abs(heightOfOtherEnd));
     }
@@ -96,13 +96,14 @@ final class LegsThroughWalls {
     }
 
     /**
-     * What the faces at a point reflect specularly, of the path as far as it has been followed: where several
-     * coincide, each reflects what those before it transmit. A solid that the path is in does not reflect it back.
+     * Reflects the path, as far as it has been followed, specularly at the faces at a point: if several faces coincide,
+     * each of them reflects the sound that those before it transmit. A solid that the path is inside does not reflect
+     * it back.
      *
      * @param triangle the first of the faces
-     * @param atX of the point, m
-     * @param alongX along the path
-     * @param cosine of the angle between the path and the normal
+     * @param atX x coordinate of the point, m
+     * @param alongX x component of the direction of the path
+     * @param cosine cosine of the angle between the path and the normal
      * @return whether anything is reflected
      */
     boolean reflect(

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.imagesource;
 
 import java.util.Arrays;
 
-/** The walls that a path has met at the point that it has reached: in an edge or a corner, several. */
+/** The walls that a path has met at the point that it has reached: several at an edge or in a corner. */
 final class MetWalls {
     private int[] walls = new int[3];
     private int count;

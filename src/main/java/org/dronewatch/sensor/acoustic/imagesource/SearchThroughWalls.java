@@ -11,11 +11,11 @@ import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
- * Follows the rays of an {@link ImageSourceSearch} through the walls that they hit. From there on they find image
+ * Follows the rays of an {@link ImageSourceSearch} through the walls that they hit. From there on, they find image
  * sources whose paths pass through walls between reflections. For use by one thread.
  */
 final class SearchThroughWalls {
-    /** How many times the rays of one direction pass through walls, all branches together. */
+    /** The maximum number of times that the rays of one direction pass through walls, in all branches together. */
     private static final int MOST_BRANCHES = 8;
 
     private final World world;
@@ -54,21 +54,21 @@ final class SearchThroughWalls {
     /**
      * A ray that has passed through a wall.
      *
-     * @param place where it goes on, m, and its direction
-     * @param walls that have reflected it so far
-     * @param left the fraction of its energy that these walls have left
-     * @param passed the fraction of that which the walls it has passed have left
-     * @param solids within which it is
+     * @param place three coordinates of the position at which it goes on, m, then three components of its direction
+     * @param walls the walls that have reflected it so far
+     * @param left the fraction of its energy that is left after these reflections
+     * @param passed the fraction of this energy that is left after the walls through which it has passed
+     * @param solids the solids that it is inside
      */
     private record Branch(double[] place, int[] walls, double left, double passed, EnteredSolids solids) {}
 
     /**
      * Prepares for a search.
      *
-     * @param found receives the image sources, with the fraction of a ray's energy as their worth; it may be reduced
-     *     further by walls to this fraction without losing worth
-     * @param direct the fraction of direct sound that passes through walls, above 0: a ray of which less than a
-     *     thousandth of that passes is abandoned
+     * @param found receives the image sources; the worth of each is the fraction of a ray's energy that is left after
+     *     reflections, reduced by walls only as far as they transmit less than {@code direct}
+     * @param direct the fraction of direct sound that passes through walls, above 0: a ray is abandoned if its worth
+     *     would be less than a thousandth
      */
     void start(ImageSourceCandidates found, double direct) {
         tree = found;
@@ -85,10 +85,10 @@ final class SearchThroughWalls {
      * Sends a ray on through the wall that it has hit, if enough of it passes.
      *
      * @param hit the ray at the wall
-     * @param triangle that it has hit
-     * @param facing normal of the triangle, on the ray's side
-     * @param walls that have reflected the ray so far, as many as {@code order}
-     * @param left the fraction of its energy that these walls have left
+     * @param triangle the triangle that it has hit
+     * @param facing unit normal of the triangle, on the ray's side
+     * @param walls the walls that have reflected the ray so far, as many as {@code order}
+     * @param left the fraction of its energy that is left after these reflections
      */
     void pass(AcousticRay hit, int triangle, double[] facing, int[] walls, int order, double left) {
         int material = world.material(triangle, hit.originX, hit.originY);
@@ -175,7 +175,9 @@ final class SearchThroughWalls {
         }
     }
 
-    /** The first of the faces found through which the ray does not leave a solid; negative if there is none. */
+    /**
+     * The first of the faces that were found through which the ray does not leave a solid; negative if there is none.
+     */
     private int begun(EnteredSolids solids) {
         for (int i = 0; i < faces.count(); i++) {
             if (faces.begins(i, solids)) {

@@ -9,7 +9,7 @@ import java.util.Arrays;
  * contains every wall that reflects, and may contain others. For use by one thread.
  */
 public final class SingleReflections {
-    /** Far more than the rounding errors of angles, far less than the angles of cones. */
+    /** A tolerance far above the rounding errors of angles, and far below the angles of cones. */
     private static final double ROUNDING = 1e-6;
 
     private final WallTree tree;
@@ -42,11 +42,12 @@ public final class SingleReflections {
                 waiting[stacked++] = tree.right(node);
             }
         }
-        // Sound is added up in the order of the walls, whichever way the tree has found them.
+        // The walls are sorted, so that sound is added up in the order of their numbers, whatever the order in which
+        // the tree found them.
         Arrays.sort(found, 0, count);
     }
 
-    /** How many walls the last search found. */
+    /** The number of walls that the last search found. */
     public int count() {
         return count;
     }
@@ -87,7 +88,7 @@ public final class SingleReflections {
         double y = toAy / toA + toBy / toB;
         double z = toAz / toA + toBz / toB;
         double sum = Math.sqrt(x * x + y * y + z * z);
-        // By how much the sum of both unit vectors changes at most within the sphere.
+        // The greatest change of the sum of both unit vectors within the sphere.
         double sine = (chord(radius / toA) + chord(radius / toB)) / sum + ROUNDING;
         if (!(sine < 1.0)) {
             return true;
@@ -99,9 +100,9 @@ public final class SingleReflections {
         return least <= 0.0 || Math.abs(along) >= least;
     }
 
-    /** The distance between two unit vectors, by the sine of the angle between them, which is below 90 degrees. */
+    /** The distance between two unit vectors, given the sine of the angle between them, which is below 90 degrees. */
     private static double chord(double sine) {
-        // Without cancellation where the sine is small.
+        // This form avoids cancellation where the sine is small.
         return sine * Math.sqrt(2.0 / (1.0 + Math.sqrt(1.0 - sine * sine)));
     }
 }

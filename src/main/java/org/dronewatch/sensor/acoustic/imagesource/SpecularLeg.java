@@ -21,7 +21,7 @@ public final class SpecularLeg {
     private double fromZ;
     private double riseFromBeginning;
 
-    /** The last trees of image sources that the leg has left, walls from its beginning on. */
+    /** The last two trees of image sources that the leg has left, with walls in order from the leg's beginning on. */
     private ImageSources left;
 
     private ImageSources leftBefore;

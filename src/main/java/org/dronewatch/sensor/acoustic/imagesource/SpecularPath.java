@@ -30,7 +30,7 @@ public final class SpecularPath {
 
     private double ahead;
     private double length;
-    /** Where the last leg began. */
+    /** The beginning of the previous leg. */
     private final double[] before = new double[3];
 
     private final MetWalls metHere = new MetWalls();
@@ -129,18 +129,18 @@ public final class SpecularPath {
             double dy = images[3 * rest + 1] - y;
             double dz = images[3 * rest + 2] - z;
             double there = planes.height(next, images[3 * rest], images[3 * rest + 1], images[3 * rest + 2]);
-            // In the edge of two walls a path meets both at once.
+            // At the edge between two walls, a path meets both at once.
             boolean isThere = wall != WallPlanes.NONE && planes.meet(wall, next) && Math.abs(here) < planes.tolerance();
             double fraction = isThere ? 0.0 : here / (here - there);
             corner = isThere ? corner : rest;
-            // It must come from the side on which it goes on: also in an edge, which other walls may close.
+            // The path must arrive on the side on which it goes on, even at an edge, which other walls may close.
             double seen = isThere ? planes.height(next, before[0], before[1], before[2]) : here;
             if (isMetTwice(imageSources, corner, rest)
                     || !(seen * there < 0.0)
                     || !planes.mayContain(next, x + fraction * dx, y + fraction * dy, z + fraction * dz)) {
                 return false;
             }
-            // Most images are ruled out before.
+            // Most images have already been ruled out at this point.
             if (rest == image) {
                 begin(fromX, fromY, fromZ);
             }

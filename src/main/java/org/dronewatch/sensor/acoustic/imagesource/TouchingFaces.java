@@ -12,11 +12,11 @@ import org.dronewatch.kdtree.EllipsoidQuery;
 import org.dronewatch.world.World;
 
 /**
- * Which triangles of a world coincide, as where solids touch face to face: of these, a ray meets only one.
- * Found for each triangle when it is first asked for. For any number of threads.
+ * The triangles of a world that coincide, for instance where solids touch face to face: a ray meets only one of them.
+ * They are found for each triangle when they are first requested. Thread-safe.
  */
 final class TouchingFaces {
-    /** Triangles that touch are parallel: the cosine between their normals is greater. */
+    /** Triangles that touch are parallel: the cosine of the angle between their normals is greater than this. */
     private static final double PARALLEL = 0.999;
 
     /** The touching faces of worlds in use: many sensors share one world. */
@@ -34,17 +34,17 @@ final class TouchingFaces {
         this.others = new AtomicReferenceArray<>(mesh.triangleCount());
     }
 
-    /** Those of a world, created once. */
+    /** The touching faces of a world, created once. */
     static TouchingFaces of(World world) {
         return KNOWN.computeIfAbsent(world, key -> new TouchingFaces(key, WallPlanes.of(key)));
     }
 
-    /** How far apart faces that touch may be, since their coordinates are rounded, m. */
+    /** The greatest distance between faces that touch, m; it is not 0, since coordinates are rounded. */
     double tolerance() {
         return tolerance;
     }
 
-    /** The triangles that may touch one, in ascending order; not to be modified. */
+    /** The triangles that may touch a given one, in ascending order; not to be modified. */
     int[] of(int triangle) {
         int[] known = others.get(triangle);
         if (known == null) {

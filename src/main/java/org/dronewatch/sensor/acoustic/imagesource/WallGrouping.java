@@ -9,13 +9,16 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /** Assigns triangles to planes, one after another. */
 final class WallGrouping {
-    /** Planes whose unit normals differ by more in any coordinate are not compared. */
+    /** Planes whose unit normals differ by more than this in any coordinate are not compared. */
     private static final double NORMAL_CELL = 1e-2;
 
-    /** The normal of a plane is the one on this side, whatever the winding of its triangles; any direction would do. */
+    /**
+     * The normal of a plane is the one that points to this side, whatever the winding of its triangles; any other
+     * direction would do as well.
+     */
     private static final double[] SIDE = {0.6, 0.48, 0.64};
 
-    /** Normals that are perpendicular to it may have been assigned to either side. */
+    /** Normals whose component along this direction is smaller than this may have been assigned to either side. */
     private static final double EITHER_SIDE = 0.05;
 
     private final TriangleMesh mesh;
@@ -26,7 +29,7 @@ final class WallGrouping {
     private final Map<Integer, List<Integer>> byNormal = new HashMap<>();
 
     /**
-     * No triangle is in a plane yet.
+     * A grouping without any triangles yet.
      *
      * @param tolerance maximum distance of a corner from the plane of its triangle, m
      */
@@ -44,7 +47,7 @@ final class WallGrouping {
         return Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
     }
 
-    /** Assigns a triangle to the plane whose number is returned: one that is known, or a new one. */
+    /** Assigns a triangle to a known plane, or to a new one, and returns the number of that plane. */
     int add(int triangle) {
         mesh.normal(triangle, normal);
         double length = length();

@@ -19,8 +19,9 @@ public final class WallPlanes {
     public static final int NONE = -1;
 
     /**
-     * How far a corner may lie off the plane to which its triangle is assigned, relative to the size of the mesh:
-     * coordinates of single precision are exact to 6e-8 of it, and a small triangle's plane is extended over the wall.
+     * The greatest distance of a corner from the plane to which its triangle is assigned, as a fraction of the size of
+     * the mesh: coordinates of single precision are accurate to 6e-8 of that size, and the plane of a small triangle is
+     * extended over the wall.
      */
     private static final double RELATIVE_TOLERANCE = 1e-6;
 
@@ -66,7 +67,7 @@ public final class WallPlanes {
         this.wallOf = new int[mesh.triangleCount()];
         Arrays.fill(wallOf, NONE);
         WallGrouping grouping = new WallGrouping(mesh, tolerance);
-        // The largest triangle has the most exact plane, so it comes first: by its area, then by its number.
+        // The largest triangle has the most accurate plane, so it comes first: the order is by area, then by number.
         long[] order = IntStream.range(0, wallOf.length)
                 .filter(triangle -> mirrors.test(triangle) && grouping.area(triangle) > 0.0f)
                 .mapToLong(triangle -> (long) -Float.floatToIntBits(grouping.area(triangle)) << Integer.SIZE | triangle)
@@ -79,7 +80,7 @@ public final class WallPlanes {
         this.triangleOf = grouping.triangles();
         this.bounds = bounds(mesh);
         this.isMixed = mixed(mesh);
-        // Reads the planes: all other fields are set.
+        // This reads the planes, so it comes last: all other fields are set.
         this.tree = new WallTree(this);
     }
 

@@ -24,7 +24,7 @@ public final class WallTransmission {
 
     private final EnteredSolids within = new EnteredSolids();
 
-    /** Transmission in a world, along no path yet. */
+    /** Transmission in a world, without a path yet. */
     public WallTransmission(World world, WallPlanes planes, BandSurfaces surfaces) {
         this.visibility = Visibility.ofClearPoints(world);
         this.planes = planes;
@@ -33,7 +33,7 @@ public final class WallTransmission {
     }
 
     /**
-     * Follows the arc of sound between two points through all that obstructs it.
+     * Follows the arc of sound between two points through everything that obstructs it.
      *
      * @param solids the solids within which the path begins
      * @param curvature curvature of the arc, 1/m, for sound that travels from the first point to the second or the
@@ -103,7 +103,7 @@ public final class WallTransmission {
         return true;
     }
 
-    /** Follows a straight piece of a path; whether any of the sound gets to its end. */
+    /** Follows a straight piece of a path, and returns whether any of the sound gets to its end. */
     private boolean passesPiece(
             double fromX, double fromY, double fromZ, double toX, double toY, double toZ, int one, int other) {
         double x = toX - fromX;

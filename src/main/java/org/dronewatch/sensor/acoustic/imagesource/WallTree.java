@@ -17,7 +17,10 @@ final class WallTree {
     /** Bits of a coordinate along each axis in the Morton code. */
     private static final int CELL_BITS = 10;
 
-    /** A node's centre, the radius around it, the axis of its cone, and cosine and sine of the cone's half-angle. */
+    /**
+     * The numbers of a node: the centre and the radius of its sphere, the axis of its cone, and the cosine and sine of
+     * the cone's half-angle.
+     */
     private static final int STRIDE = 9;
 
     private static final int RADIUS = 3;
@@ -25,14 +28,14 @@ final class WallTree {
     private static final int COSINE = 7;
     private static final int SINE = 8;
 
-    /** More than the rounding errors of spheres and cones. */
+    /** A tolerance above the rounding errors of spheres and cones. */
     private static final double ROUNDING = 1e-9;
 
     private final int[] walls;
     private final int[] starts;
     private final int[] ends;
 
-    /** Of each node the right child, 0 for a leaf; the left one comes next after the node. */
+    /** The right child of each node, 0 for a leaf; the left child comes directly after its parent. */
     private final int[] rights;
 
     private final double[] numbers;
@@ -52,7 +55,7 @@ final class WallTree {
         }
     }
 
-    /** The number of nodes of a tree, or of a branch, as {@link #add} divides it. */
+    /** The number of nodes of a tree or branch with a number of walls, as {@link #add} divides it. */
     private static int nodesFor(int count) {
         return count <= MAX_LEAF_SIZE ? 1 : 1 + nodesFor(count / 2) + nodesFor(count - count / 2);
     }
@@ -84,7 +87,7 @@ final class WallTree {
         return 0.5 * (planes.low(wall, axis) + planes.high(wall, axis));
     }
 
-    /** Puts two zeros between any two bits. */
+    /** Inserts two zeros between successive bits. */
     private static int spread(int bits) {
         int spread = 0;
         for (int bit = 0; bit < CELL_BITS; bit++) {

@@ -4,15 +4,15 @@ import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
 /**
- * Which rays from surfaces can decide whether a drone is detected: those that would be loud enough if they went
- * straight to the sensor from where they begin, since no path is shorter; and of those that are too quiet, or have hit
- * too many surfaces, to be reflected once more, only the ones that are directed at the sensor. Immutable.
+ * The rays from surfaces that can decide whether a drone is detected: those that would be loud enough if they went
+ * straight to the sensor from their origin, since no path is shorter. Of the rays that are too quiet, or have hit too
+ * many surfaces, to be reflected once more, only those that are directed at the sensor can decide. Immutable.
  */
 final class DecisiveRays {
-    /** Above the rounding of the levels along a path, dB. */
+    /** A tolerance above the rounding error of the levels along a path, dB. */
     static final double ROUNDING = 1e-6;
 
-    /** Above the relative rounding of the distance between a ray and the sensor. */
+    /** A tolerance above the relative rounding error of the distance between a ray and the sensor. */
     private static final double RELATIVE_ROUNDING = 1e-9;
 
     private final LevelModel model;
@@ -37,7 +37,10 @@ final class DecisiveRays {
         return wanted == ScatteredRays.Wanted.ALL || wanted == ScatteredRays.Wanted.DIRECTED && isDirectedAtSensor(ray);
     }
 
-    /** Which of the rays with the origin, level and order of one from a surface can be loud enough at the sensor. */
+    /**
+     * Which of the rays that have the same origin, level and order as a given ray from a surface can be loud enough at
+     * the sensor.
+     */
     ScatteredRays.Wanted of(AcousticRay ray) {
         double x = sensor.x() - ray.originX;
         double y = sensor.y() - ray.originY;

@@ -7,7 +7,7 @@ import org.dronewatch.sensor.Signal;
 
 /** The signal that a microphone receives from a drone in the level model, before any random decision. */
 final class LevelAssessment {
-    /** How many times a look is repeated where it depends on its rays. */
+    /** The number of times that a look is repeated if its result depends on its rays. */
     private static final int TRACES = 32;
 
     private static final double EVEN_CHANCE = 0.5;
@@ -29,18 +29,18 @@ final class LevelAssessment {
     }
 
     /**
-     * The signal in the level model. It is certain where the straight ray, which is traced first, is loud enough, and
-     * where even that ray would be too quiet; otherwise it is estimated from several looks. The first of these is the
-     * look of a run with the same random numbers. The quantity of an estimate is the median of the best levels, the
-     * upper of the two in the middle, or the next one that reaches the threshold when the probability is at least one
-     * half, and only then.
+     * The signal in the level model. It is certain if the straight ray, which is traced first, is loud enough, or if
+     * even that ray would be too quiet; otherwise, it is estimated from several looks. The first of these is the look
+     * of a run with the same random numbers. The quantity of an estimate is the median of the best levels (the upper of
+     * the two in the middle); if needed, it is another of these levels, so that it reaches the threshold if, and only
+     * if, the probability is at least one half.
      *
-     * @param others the looks after the first, unless the ray budget ended a ray of the first: then they
-     *     are like the first
-     * @param refinement the probability where some of these looks detect the drone and some do not, unless the ray
-     *     budget ended a ray of the first; empty if the fraction of the looks is enough
+     * @param others the looks after the first; if the ray budget ended a ray of the first, the further looks are like
+     *     the first instead
+     * @param refinement gives the probability if some of these looks detect the drone and some do not, unless the ray
+     *     budget ended a ray of the first look; empty if the fraction of looks that detect it is accurate enough
      * @param isSideOnly whether the refinement is enough without these looks, unless the ray budget ended a ray of the
-     *     first: then the quantity is any that is on the same side of the threshold as the median
+     *     first look; the quantity is then any value on the same side of the threshold as the median
      */
     static Signal signal(
             double straightLevel,
@@ -75,7 +75,7 @@ final class LevelAssessment {
                 .filter(any -> isRefined)
                 .map(its -> its.estimate(rays))
                 .orElse(new LookProbability.Estimate((double) hits / TRACES, error(hits)));
-        // The median of the levels, unless the better estimate is on the other side of one half.
+        // The median of the levels is used, unless the better estimate is on the other side of one half.
         int misses = TRACES - hits;
         int middle = estimate.value() >= EVEN_CHANCE ? Math.max(TRACES / 2, misses) : Math.min(TRACES / 2, misses - 1);
         return new Signal(estimate.value(), levels[middle], UNIT, threshold, 0.0, estimate.error());

@@ -22,7 +22,7 @@ public final class LevelHearing implements SoundTracer {
     /** Name of a figure: fraction of the emitted energy that all rays together carry to the microphone. */
     static final String CUMULATED_ENERGY = "cumulated_energy";
 
-    /** Above the rounding of the levels along a path, dB. */
+    /** A tolerance above the rounding error of the levels along a path, dB. */
     private static final double ROUNDING = 1e-6;
 
     private final LevelModel model;

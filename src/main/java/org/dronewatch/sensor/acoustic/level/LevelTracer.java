@@ -25,7 +25,7 @@ import org.dronewatch.world.World;
 public final class LevelTracer {
     /** Number of queued rays in a chunk. */
     private static final int CHUNK = 256;
-    /** Several chunks per thread balance the load. */
+    /** Number of chunks per thread: several of them balance the load. */
     private static final int CHUNKS_PER_THREAD = 8;
 
     private final LevelModel model;
@@ -35,7 +35,7 @@ public final class LevelTracer {
     private final AcousticRay ray = new AcousticRay();
     private final Supplier<RayChunk> chunks;
 
-    /** One for each chunk that is traced at the same time. */
+    /** One tracer for each of the chunks that are traced at the same time. */
     private final List<RayChunk> team = new ArrayList<>();
 
     private double bestLevel;
@@ -78,7 +78,7 @@ public final class LevelTracer {
         return trace(source, sourceLevel, random, fully ? TracedRays.ALL : TracedRays.UNTIL_DETECTED, recorder);
     }
 
-    /** Takes one look that traces these rays. */
+    /** Takes one look that traces the given kind of rays. */
     LevelReading trace(
             Position source, double sourceLevel, RandomGenerator random, TracedRays extent, RayRecorder recorder) {
         reset();
@@ -97,7 +97,7 @@ public final class LevelTracer {
                 bestLevel, bestLevel >= detectionLevel, energy, received, traced, cutByOrder, cutByBudget, cutAt);
     }
 
-    /** Traces the decisive rays of a look; false where the budget may have ended rays that were left out. */
+    /** Traces the decisive rays of a look; returns false if the budget may have ended rays that were left out. */
     private boolean traceWithinBudget(long seed) {
         trace(seed, TracedRays.DECISIVE_OF_LOOK, RayRecorder.NONE);
         boolean isWithin = queue.added() + mostOfLastOrder <= model.rayBudget();
@@ -111,7 +111,7 @@ public final class LevelTracer {
      * Whether one ray from a drone, or a ray that descends from it, is loud enough; the ray budget must not end any
      * ray.
      *
-     * @param seed of the directions of scattered rays
+     * @param seed seed of the directions of scattered rays
      */
     boolean detects(AcousticRay initial, long seed) {
         reset();
@@ -122,7 +122,8 @@ public final class LevelTracer {
     }
 
     private void trace(long seed, TracedRays extent, RayRecorder recorder) {
-        // A recorder takes one segment at a time; of looks at many places, each thread takes whole ones.
+        // A recorder takes one segment at a time; and if there are looks at many positions, each thread takes whole
+        // looks.
         boolean isShared =
                 recorder == RayRecorder.NONE && (extent == TracedRays.ALL || extent == TracedRays.UNTIL_DETECTED);
         int threads = isShared ? Workers.available() : 1;
@@ -133,7 +134,8 @@ public final class LevelTracer {
         int next = 0;
         boolean enough = false;
         while (next < queue.added() && !enough) {
-            // Only whole chunks are combined: where they begin must not depend on their number.
+            // Only whole chunks are combined: the positions at which chunks begin must not depend on the number of
+            // chunks.
             int first = next;
             int wave = Math.max(1, Math.min(atOnce, (queue.added() - first) / CHUNK));
             Workers.forEach(wave, i -> {
@@ -150,7 +152,7 @@ public final class LevelTracer {
         }
     }
 
-    /** How many segments the last look has traced. */
+    /** The number of segments that the last look traced. */
     long traced() {
         return traced;
     }
@@ -166,7 +168,7 @@ public final class LevelTracer {
         cutOrder = Integer.MAX_VALUE;
     }
 
-    /** The ray straight at the sensor, which is traced first, and those in random directions. */
+    /** Queues the ray straight to the sensor, which is traced first, and the rays in random directions. */
     private void emit(Position source, double sourceLevel, RandomGenerator random) {
         ray.originX = source.x();
         ray.originY = source.y();

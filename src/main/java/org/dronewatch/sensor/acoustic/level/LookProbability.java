@@ -10,42 +10,45 @@ import org.dronewatch.world.World;
 
 /**
  * The probability that a look of the level model detects a drone. The rays of a look are independent, so it misses the
- * drone if the straight ray and all n rays in random directions, with all that descend from each, are too quiet: {@code
- * m = m0 (1 - q)^n}. A ray that hits a surface is missed if the specular ray, that straight at the sensor and the k
- * scattered ones are: {@code m0 = m1 m2 (1 - s)^k}. The probabilities q and s are those of single rays, of which many
- * are traced in directions that are spread evenly, so that far fewer rays are needed than in whole looks. The ray
- * budget must not end any ray. Not thread-safe.
+ * drone if the straight ray and all n rays in random directions, with all rays that descend from each, are too quiet:
+ * {@code m = m0 (1 - q)^n}. A ray that hits a surface is missed if the specular ray, the ray straight to the sensor and
+ * the k scattered rays are all missed: {@code m0 = m1 m2 (1 - s)^k}. The probabilities q and s are those of single
+ * rays, of which many are traced in directions that are spread evenly, so that far fewer rays are needed than in whole
+ * looks. The ray budget must not end any ray. Not thread-safe.
  */
 final class LookProbability {
-    /** Scattered rays of the straight ray that are traced, at most. */
+    /** Maximum number of scattered rays of the straight ray that are traced. */
     private static final int SCATTERED = 65_536;
 
-    /** Rays in random directions that are traced, at most. */
+    /** Maximum number of rays in random directions that are traced. */
     private static final int EMITTED = 65_536;
 
-    /** Scattered rays of a specular or aimed ray, as a part of those of the ray before. */
+    /** The number of scattered rays is divided by this for each specular or aimed ray that follows from another ray. */
     private static final int PART = 4;
 
-    /** Fewer rays show nothing. */
+    /** A number of rays below which they show nothing. */
     private static final int FEWEST = 256;
 
     /** The approximate maximum number of ray segments that are traced. */
     private static final long MOST_SEGMENTS = 2_000_000;
 
     /**
-     * A probability is accurate enough once its variance is 0.15 times that of the fraction of a thousand looks. With
-     * 0.25, 1.5 % of cells were outside the 99 % interval of a thousand looks, with this 1.4 %, and with rays up to the
-     * limit 1.15 %.
+     * A probability is accurate enough once its variance is 0.15 times that of the fraction of a thousand looks. With a
+     * factor of 0.25, 1.5 % of cells were outside the 99 % interval of a thousand looks; with 0.15, 1.4 %; and with
+     * rays up to the limit, 1.15 %.
      */
     private static final double VARIANCE = 0.15 / 1000;
 
     /** Probabilities need not be more accurate than this one. */
     private static final double LEAST = 0.004;
 
-    /** How much less accurate the first estimate is that may show on which side of a boundary a probability lies. */
+    /**
+     * The factor by which the variance is greater in the first estimate that may show on which side of a boundary a
+     * probability lies.
+     */
     private static final double FIRST_VARIANCE = 256.0;
 
-    /** How much more accurate each further one is. */
+    /** The factor by which the variance decreases with each further estimate. */
     private static final double STEP = 1.0 / 16.0;
 
     /** The distance from the boundary, in standard errors, at which the side is certain enough. */
@@ -89,11 +92,11 @@ final class LookProbability {
     }
 
     /**
-     * A probability.
+     * An estimate of a probability.
      *
-     * @param value 0 to 1
-     * @param error its standard error, at most: the scatter between blocks of rays, which are less evenly spread than
-     *     all rays
+     * @param value the probability, 0 to 1
+     * @param error upper estimate of its standard error: the scatter between blocks of rays, which are less evenly
+     *     spread than all rays
      */
     record Estimate(double value, double error) {}
 
@@ -101,7 +104,7 @@ final class LookProbability {
      * Estimates the probability for a drone.
      *
      * @param source position of the drone, m
-     * @param sourceLevel its level, dB
+     * @param sourceLevel level of the drone, dB
      */
     Estimate of(Position source, double sourceLevel, RandomGenerator random) {
         boundary = Double.NaN;
@@ -110,7 +113,7 @@ final class LookProbability {
 
     /**
      * Estimates the probability until it is clear whether it reaches a boundary, and at most as accurately as
-     * {@link #of}: the nearer to it, the more rays are traced.
+     * {@link #of}: the nearer the probability is to the boundary, the more rays are traced.
      *
      * @param reached the boundary, above 0 and at most 1
      */
@@ -188,9 +191,9 @@ final class LookProbability {
     }
 
     /**
-     * The probability that a ray, with all that descend from it, is missed.
+     * The probability that a ray, together with all rays that descend from it, is missed.
      *
-     * @param number of scattered rays that are traced at most if it hits a surface
+     * @param number maximum number of scattered rays that are traced if it hits a surface
      * @param others the probability that all other rays so far are missed
      */
     private double miss(AcousticRay ray, int number, double others) {
@@ -222,9 +225,9 @@ final class LookProbability {
     /**
      * Whether to trace more rays.
      *
-     * @param traced those that have been traced, of a number of them at most
-     * @param missed the probability that these and all others so far are missed
-     * @param variance of the logarithm of that probability, as far as it depends on these
+     * @param traced number of rays that have been traced
+     * @param missed the probability that these rays and all others so far are missed
+     * @param variance variance of the logarithm of that probability, as far as it depends on these rays
      */
     private boolean isWorthwhile(int traced, int most, double missed, double variance) {
         boolean isLeft = traced < most && segments < MOST_SEGMENTS;

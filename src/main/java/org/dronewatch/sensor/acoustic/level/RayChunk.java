@@ -8,11 +8,11 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.world.World;
 
 /**
- * Traces a chunk of the queued rays: what they contribute at the sensor, and the rays that leave the surfaces that they
- * hit. For use by one thread.
+ * Traces a chunk of the queued rays: finds their contributions at the sensor, and the rays that leave the surfaces that
+ * they hit. For use by one thread.
  */
 final class RayChunk {
-    /** How far rays that hit nothing are drawn, m. */
+    /** The length at which rays that hit nothing are drawn, m. */
     private static final double DRAWN = 1000.0;
 
     private final LevelModel model;
@@ -50,11 +50,11 @@ final class RayChunk {
     }
 
     /**
-     * Traces rays of a queue; forgets those before.
+     * Traces rays of a queue; discards the results of the previous ones.
      *
-     * @param from the first
-     * @param to the first that is not traced
-     * @param wanted which rays
+     * @param from index of the first ray
+     * @param to index of the first ray that is not traced
+     * @param wanted which rays are traced
      */
     void trace(RayQueue queue, int from, int to, RandomGenerator random, TracedRays wanted, RayRecorder recorder) {
         extent = wanted;
@@ -97,7 +97,7 @@ final class RayChunk {
         }
     }
 
-    /** Whether the ray comes from a surface, ends at the next one, and needs no figures. */
+    /** Whether the ray comes from a surface, ends at the next surface, and needs no figures. */
     private boolean isOfUseOnlyAtSensor() {
         return isQuick() && ray.order > 0 && ray.order == model.maxOrder();
     }
@@ -106,7 +106,7 @@ final class RayChunk {
         return extent == TracedRays.DECISIVE || extent == TracedRays.DECISIVE_OF_LOOK;
     }
 
-    /** How far the ray is loud enough, m: what it meets farther away does not matter. */
+    /** The distance up to which the ray is loud enough, m: anything that it meets farther away does not matter. */
     private double audible() {
         return model.attenuation() > 0.0
                 ? Math.max(0.0, ray.level - detectionLevel + DecisiveRays.ROUNDING) / model.attenuation()
@@ -122,7 +122,10 @@ final class RayChunk {
         return ray.entry(sensor, radius) < surface;
     }
 
-    /** Heard at the distance of the sensor's centre, so that the range does not grow by the radius. */
+    /**
+     * Receives the ray, with its level at the distance of the sensor's centre, so that the range does not increase by
+     * the radius.
+     */
     private void receive(RayRecorder recorder) {
         double x = sensor.x() - ray.originX;
         double y = sensor.y() - ray.originY;
@@ -150,7 +153,7 @@ final class RayChunk {
         reflections.acousticDistribution(ray, distance, triangle, arriving, draw);
     }
 
-    /** A ray that is too quiet is not worth tracing: nothing that descends from it can be detected. */
+    /** Queues a branch, unless it is too quiet: then nothing that descends from it can be detected. */
     private void keep(AcousticRay branch) {
         if (branch.level >= detectionLevel && (!areOnlyDecisiveWanted(branch) || decisive.include(branch))) {
             branches.add(branch);
@@ -165,7 +168,10 @@ final class RayChunk {
         return areOnlyDecisiveWanted(branch) ? decisive.of(branch) : ScatteredRays.Wanted.ALL;
     }
 
-    /** In the decisive rays of a given look, those before the last order are needed for their random numbers. */
+    /**
+     * Whether only decisive rays are wanted: of the decisive rays of a given look, those before the last order are
+     * needed for their random numbers.
+     */
     private boolean areOnlyDecisiveWanted(AcousticRay branch) {
         return extent == TracedRays.DECISIVE
                 || extent == TracedRays.DECISIVE_OF_LOOK && branch.order == model.maxOrder();
@@ -194,27 +200,27 @@ final class RayChunk {
         return energy;
     }
 
-    /** How many rays reached the sensor. */
+    /** The number of rays that reached the sensor. */
     long received() {
         return received;
     }
 
-    /** How many rays were traced. */
+    /** The number of rays that were traced. */
     long traced() {
         return traced;
     }
 
-    /** How many rays were not created because of the maximum order. */
+    /** The number of rays that were not created because of the maximum order. */
     long cutByOrder() {
         return cutByOrder;
     }
 
-    /** At most this many rays of the last order left the surfaces, kept or not. */
+    /** An upper bound on the number of rays of the last order that left the surfaces, kept or not. */
     long mostOfLastOrder() {
         return mostOfLastOrder;
     }
 
-    /** The rays that leave the surfaces, in the order of those that hit them. */
+    /** The rays that leave the surfaces, in the order of the rays that hit these. */
     RayQueue branches() {
         return branches;
     }

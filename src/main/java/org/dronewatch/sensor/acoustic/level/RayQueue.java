@@ -18,12 +18,12 @@ final class RayQueue {
         added = 0;
     }
 
-    /** Forgets all but the first rays. */
+    /** Removes all rays but the first ones. */
     void shorten(int count) {
         added = count;
     }
 
-    /** How many rays were added since the queue was cleared. */
+    /** The number of rays that were added since the queue was cleared. */
     int added() {
         return added;
     }
@@ -67,7 +67,7 @@ final class RayQueue {
         counts = Arrays.copyOf(counts, 2 * counts.length);
     }
 
-    /** Copies a ray into a carrier. */
+    /** Copies a ray of the queue into the given object. */
     void get(int index, AcousticRay ray) {
         int i = NUMBERS * index;
         ray.originX = numbers[i];

@@ -3,11 +3,11 @@ package org.dronewatch.sensor.acoustic.level;
 import java.util.Arrays;
 
 /**
- * Single rays that were traced, and how many of them were heard: what that says about a number of such rays in a look.
- * Not thread-safe.
+ * The fraction of single traced rays that were heard, and what it shows about a number of such rays in a look. Not
+ * thread-safe.
  */
 final class RayShare {
-    /** In how many blocks of successive rays those that are heard are counted. */
+    /** The number of blocks of successive rays in which the rays that are heard are counted. */
     private static final int BLOCKS = 16;
 
     private final int number;
@@ -16,13 +16,13 @@ final class RayShare {
     private int traced;
     private int heard;
 
-    /** The variance of the number heard, as a fraction of that in independent directions. */
+    /** The variance of the number of rays that are heard, as a fraction of the variance with independent directions. */
     private double evenness = 1.0;
 
     /**
-     * No ray has been traced yet.
+     * A count in which no ray has been traced yet.
      *
-     * @param number how many such rays a look has
+     * @param number number of such rays in a look
      */
     RayShare(int number) {
         this.number = number;
@@ -40,8 +40,8 @@ final class RayShare {
     }
 
     /**
-     * Blocks of successive directions are spread evenly, too, but less evenly than all of them together: the variance
-     * between them is an upper estimate.
+     * Measures how evenly the directions are spread. Blocks of successive directions are also spread evenly, but less
+     * evenly than all directions together: the variance between blocks is an upper estimate.
      */
     private void measureEvenness() {
         double mean = (double) heard / BLOCKS;
@@ -53,7 +53,7 @@ final class RayShare {
         evenness = Math.min(1.0, between / (traced * likely() * (1.0 - likely())));
     }
 
-    /** Pairs of them become one block each, so that the next ones are twice as long. */
+    /** Merges each pair of blocks into one, so that further blocks are twice as long. */
     private void mergeBlocks() {
         for (int i = 0; i < BLOCKS / 2; i++) {
             heardInBlock[i] = heardInBlock[2 * i] + heardInBlock[2 * i + 1];
@@ -76,9 +76,10 @@ final class RayShare {
     }
 
     /**
-     * The variance of the logarithm of that probability, at most. How much more evenly than independent ones the
-     * directions are spread is measured each time twice as many rays have been traced. It is never 0 if there are any
-     * rays: the number heard is not taken to be more accurate than one ray.
+     * An upper estimate of the variance of the logarithm of that probability. The degree to which the directions are
+     * spread more evenly than independent ones is measured whenever the number of traced rays has doubled. The variance
+     * is never 0 if there are any rays: the number of rays that are heard is not taken to be more accurate than one
+     * ray.
      */
     double variance() {
         if (number == 0 || traced == 0) {

@@ -14,8 +14,8 @@ import org.dronewatch.world.World;
  */
 public final class ReflectionGenerator {
     /**
-     * How far origins are moved off the surface, as a fraction of their coordinates: above rounding, negligible
-     * otherwise.
+     * The distance by which origins are moved off the surface, as a fraction of their coordinates: above rounding
+     * errors, and otherwise negligible.
      */
     private static final double STAND_OFF = 1e-9;
 
@@ -29,7 +29,7 @@ public final class ReflectionGenerator {
 
     private final double[] normal = new double[3];
 
-    /** The surface's normal on the side that the ray comes from. */
+    /** The x component of the surface's normal on the side from which the ray comes. */
     private double normalX;
 
     private double normalY;
@@ -89,7 +89,7 @@ public final class ReflectionGenerator {
     }
 
     /**
-     * How rays are drawn.
+     * The random numbers, the receiver and the choice with which rays are drawn.
      *
      * @param random draws the directions of scattered rays
      * @param target receives the rays
@@ -128,7 +128,7 @@ public final class ReflectionGenerator {
         scatter(count - made, 1.0, draw);
     }
 
-    /** The rays on the far side; the branch already is the first of them, the refracted one. */
+    /** Generates the rays on the far side; the branch is already the first of them, the refracted one. */
     private void transmit(AcousticRay ray, int material, double arriving, Draw draw) {
         int count = model.transmittedRays();
         double transmitted = ray.energy * surfaces.transmittedFraction(material);
@@ -147,7 +147,7 @@ public final class ReflectionGenerator {
     }
 
     /**
-     * What the specular or the refracted ray of a number of rays carries of their energy; all of it if it is the only
+     * The energy of the specular or the refracted ray, given that of all rays on its side; all of it if it is the only
      * one.
      */
     private double ofStraightRay(double energy, int count) {
@@ -156,7 +156,7 @@ public final class ReflectionGenerator {
                 : energy * (1.0 - model.diffraction().get());
     }
 
-    /** What each other ray carries. */
+    /** The energy of each other ray. */
     private double ofScatteredRay(double energy, int count) {
         return model.diffraction().isEmpty()
                 ? energy / count
@@ -174,7 +174,8 @@ public final class ReflectionGenerator {
     }
 
     /**
-     * Puts the branch's origin a little before (1) or behind (-1) the surface, so that rounding cannot move it over.
+     * Puts the branch's origin a little in front of the surface (1) or behind it (-1), so that rounding cannot move it
+     * to the other side.
      */
     private void standOff(double side) {
         double far = 1.0 + Math.abs(hitX) + Math.abs(hitY) + Math.abs(hitZ);
@@ -206,7 +207,8 @@ public final class ReflectionGenerator {
     }
 
     /**
-     * The direction behind the surface by Snell's law, {@code sin t2 / sin t1 = c2 / c1}; a sheet keeps the direction.
+     * Sets the direction of the branch behind the surface by Snell's law, {@code sin t2 / sin t1 = c2 / c1}; a sheet
+     * keeps the direction.
      *
      * @return false for total internal reflection
      */

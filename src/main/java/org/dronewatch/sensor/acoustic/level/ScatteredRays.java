@@ -6,11 +6,11 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 
 /**
- * Draws the rays that a surface scatters, uniformly over a hemisphere. It takes the same random numbers whichever rays
+ * Draws the rays that a surface scatters, uniformly over a hemisphere. It uses the same random numbers whichever rays
  * are wanted. Immutable.
  */
 final class ScatteredRays {
-    /** Above the rounding of directions. */
+    /** A tolerance above the rounding error of directions. */
     private static final double ROUNDING = 1e-9;
 
     private static final int NUMBERS_PER_RAY = 2;
@@ -32,9 +32,9 @@ final class ScatteredRays {
     @FunctionalInterface
     interface Choice {
         /**
-         * Which ones are wanted.
+         * Which scattered rays are wanted.
          *
-         * @param branch a ray with their origin, level and order, in any direction
+         * @param branch a ray with the origin, level and order of the scattered rays, in any direction
          */
         Wanted of(AcousticRay branch);
     }
@@ -42,8 +42,8 @@ final class ScatteredRays {
     /**
      * Rays that may be directed at a sensor.
      *
-     * @param sensor its centre, m
-     * @param radius within which rays are directed at it, m
+     * @param sensor centre of the sensor, m
+     * @param radius radius within which rays count as directed at the sensor, m
      */
     ScatteredRays(Position sensor, double radius) {
         this.sensor = sensor;
@@ -53,11 +53,11 @@ final class ScatteredRays {
     /**
      * Draws rays on one side of a surface.
      *
-     * @param branch a ray of them, which is reused
-     * @param count how many are drawn
+     * @param branch one of these rays; the object is reused
+     * @param count number of rays that are drawn
      * @param normal unit normal of the surface
      * @param side 1 for the side of the normal, -1 for the other one
-     * @param target receives those that are wanted
+     * @param target receives the rays that are wanted
      */
     void draw(
             AcousticRay branch,
@@ -81,8 +81,9 @@ final class ScatteredRays {
     }
 
     /**
-     * The vertical component alone shows that most directions miss the sensor: unit vectors within the angle that it
-     * subtends, of sine s, are at most 2 sin(asin(s) / 2) apart.
+     * Draws rays of which only those directed at the sensor are wanted. The vertical component alone shows that most
+     * directions miss the sensor: unit vectors within the angle that it subtends, of sine s, are at most 2 sin(asin(s)
+     * / 2) apart.
      */
     private void drawDirected(
             AcousticRay branch,
@@ -104,7 +105,7 @@ final class ScatteredRays {
         double vertical = Math.abs(z) / distance;
         for (int i = 0; i < count; i++) {
             double drawn = 2.0 * random.nextDouble() - 1.0;
-            // The direction may yet be reversed: either sign counts.
+            // The direction may still be reversed, so either sign counts.
             if (Math.abs(Math.abs(drawn) - vertical) > apart + ROUNDING) {
                 SkippableRandom.skip(random, 1);
             } else {
@@ -115,7 +116,7 @@ final class ScatteredRays {
         }
     }
 
-    /** Turns a ray uniform over the sphere to one side of the surface. */
+    /** Turns a ray, whose direction is uniformly distributed over the sphere, to one side of the surface. */
     private static void turnOver(AcousticRay branch, double[] normal, double side) {
         double along = branch.directionX * normal[0] + branch.directionY * normal[1] + branch.directionZ * normal[2];
         if (side * along < 0.0) {

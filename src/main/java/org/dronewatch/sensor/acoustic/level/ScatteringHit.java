@@ -4,7 +4,10 @@ import java.util.function.Predicate;
 import java.util.random.RandomGenerator;
 import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 
-/** Where a ray hits a surface, and the rays that leave it: some in certain directions, the others scattered. */
+/**
+ * A hit of a ray on a surface, and the rays that leave the surface there: some in fixed directions, the others
+ * scattered.
+ */
 final class ScatteringHit {
     private final ReflectionGenerator reflections;
     private final RandomGenerator random;
@@ -33,9 +36,9 @@ final class ScatteringHit {
      * @param perHit number of rays that leave a surface on the side of the ray
      * @param random draws the directions of scattered rays
      * @param ray the ray; it must not change
-     * @param distance from its origin to the triangle, m
-     * @param triangle index in the world's mesh
-     * @param arriving its level at the triangle, dB
+     * @param distance distance from its origin to the triangle, m
+     * @param triangle index of the triangle in the world's mesh
+     * @param arriving level of the ray at the triangle, dB
      */
     ScatteringHit(
             ReflectionGenerator reflections,

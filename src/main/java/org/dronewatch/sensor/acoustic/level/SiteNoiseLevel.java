@@ -12,11 +12,11 @@ import org.dronewatch.world.World;
 
 /**
  * The noise that a microphone hears without drones in the level model: the background and, for each of the site's noise
- * sources, the highest level that arrives from any part of it, since levels are not divided. Its rays depend on the
- * names of the sources only, so it is the same in every run.
+ * sources, the highest level that arrives from any part of it, since levels are not divided. The rays depend only on
+ * the names of the sources, so the noise is the same in every run.
  */
 final class SiteNoiseLevel {
-    /** Noise this far below the background is not traced, dB: it would raise the noise by 0.04 dB. */
+    /** Noise that is this many decibels below the background is not traced: it would raise the noise by 0.04 dB. */
     private static final double INAUDIBLE = 20.0;
 
     private SiteNoiseLevel() {}

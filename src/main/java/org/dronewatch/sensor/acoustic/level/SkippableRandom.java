@@ -23,12 +23,12 @@ final class SkippableRandom implements RandomGenerator {
         return z ^ z >>> 31;
     }
 
-    /** Leaves out some numbers. */
+    /** Skips some numbers. */
     void skip(int count) {
         state += STEP * count;
     }
 
-    /** Leaves out some numbers of a generator: at once if it is one of these. */
+    /** Skips some numbers of a generator: at once if it is a generator of this class. */
     static void skip(RandomGenerator random, int count) {
         if (random instanceof SkippableRandom skippable) {
             skippable.skip(count);

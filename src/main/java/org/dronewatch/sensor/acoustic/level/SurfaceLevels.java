@@ -9,7 +9,10 @@ import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.sound.surface.SurfaceMaterial.Wall;
 import org.dronewatch.world.World;
 
-/** The surface properties that the level model uses: as it has no bands, the figures at 1 kHz, in flat arrays. */
+/**
+ * The surface properties that the level model uses: since it has no bands, these are the figures at 1 kHz, in flat
+ * arrays.
+ */
 final class SurfaceLevels {
     /** Speed of sound in the open, m/s, at 20 degrees Celsius. */
     private static final double AIR_SPEED = 343.2;
@@ -49,9 +52,9 @@ final class SurfaceLevels {
     }
 
     /**
-     * What a level loses by reflection, dB; infinity where nothing is reflected.
+     * The loss of level by reflection, dB; infinity where nothing is reflected.
      *
-     * @param cosine of the angle between the sound and the normal
+     * @param cosine cosine of the angle between the sound and the normal
      */
     double reflectionLoss(int material, double cosine) {
         return angular[material] == null
@@ -62,7 +65,7 @@ final class SurfaceLevels {
     /**
      * The fraction of the energy that is reflected.
      *
-     * @param cosine of the angle between the sound and the normal
+     * @param cosine cosine of the angle between the sound and the normal
      */
     double reflectedFraction(int material, double cosine) {
         return angular[material] == null
@@ -70,14 +73,14 @@ final class SurfaceLevels {
                 : 1.0 - angular[material].at(OctaveBands.ONE_KILOHERTZ, cosine);
     }
 
-    /** What a level loses in passing through the wall, dB. */
+    /** The loss of level on passing through the wall, dB. */
     double transmissionLoss(int material) {
         return transmissionLoss[material];
     }
 
     /**
-     * The least loss of level at any surface, dB. Sound that leaves a solid wall loses nothing; where a reflection
-     * depends on the angle, it is taken to lose nothing.
+     * The least loss of level at any surface, dB. Sound that leaves a solid wall loses nothing; if reflection depends
+     * on the angle, sound is taken to lose nothing.
      */
     double leastLoss() {
         double least = Double.POSITIVE_INFINITY;
@@ -106,7 +109,8 @@ final class SurfaceLevels {
     }
 
     /**
-     * Speed of sound behind a surface of a solid wall: inside it for a ray from the open, outside for one from inside.
+     * Speed of sound behind a surface of a solid wall, m/s: that inside the wall for a ray from the open air, and that
+     * outside for a ray from inside.
      */
     double speedBehind(int medium, int material) {
         return medium == AcousticRay.AIR ? speed[material] : AIR_SPEED;

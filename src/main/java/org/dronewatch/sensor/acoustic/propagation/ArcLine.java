@@ -18,7 +18,7 @@ public final class ArcLine {
     private double curvature;
     private double lowered;
 
-    /** How many ends of pieces lie between the two points. */
+    /** The number of ends of pieces that lie between the two points. */
     private int corners;
 
     /**

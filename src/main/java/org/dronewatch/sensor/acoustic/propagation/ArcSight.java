@@ -35,7 +35,7 @@ public final class ArcSight {
             if (!visibility.isFree(beforeX, beforeY, beforeZ, nextX, nextY, nextZ)) {
                 return false;
             }
-            // The next piece begins before this one ends: near the ends of pieces surfaces do not count.
+            // The next piece begins before this one ends, since surfaces do not count near the ends of pieces.
             beforeX = nextX - back * (toX - fromX);
             beforeY = nextY - back * (toY - fromY);
             beforeZ = nextZ - back * (toZ - fromZ);

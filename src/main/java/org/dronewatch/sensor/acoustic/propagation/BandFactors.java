@@ -4,8 +4,8 @@ import org.dronewatch.parallel.VectorInstructions;
 import org.dronewatch.sound.OctaveBands;
 
 /**
- * Multiplies the energies of a ray in all bands by factors, keeps account of what they lose, and adds them up. Uses
- * vector instructions where possible; without them, the results are the same, bit for bit.
+ * Multiplies the energies of a ray in all bands by factors, records the decrease in each band, and adds energies up.
+ * Uses vector instructions where possible; without them, the results are the same, bit for bit.
  */
 public final class BandFactors {
     static final int BANDS = OctaveBands.COUNT;

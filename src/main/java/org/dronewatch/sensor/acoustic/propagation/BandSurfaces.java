@@ -25,7 +25,7 @@ public final class BandSurfaces {
     private final boolean anyTransmits;
     private final boolean anyScatters;
 
-    /** By material; null where absorption is the same at all angles. */
+    /** The absorption by angle of each material; null if it is the same at all angles. */
     private final AngularAbsorption[] angular;
 
     /** The surfaces of a world, indexed by material. */

@@ -91,7 +91,7 @@ public enum Diffraction {
      * attenuates sound there.
      *
      * @param wavelength above 0, m
-     * @return m, 0 or more
+     * @return 0 or more, m
      */
     public abstract double reach(double wavelength);
 }

@@ -2,7 +2,7 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 import java.util.random.RandomGenerator;
 
-/** Directions of rays. */
+/** Sets the directions of rays, evenly spread or drawn at random. */
 public final class Directions {
     private static final double GOLDEN_ANGLE = Math.PI * (3.0 - Math.sqrt(5.0));
 

@@ -11,12 +11,15 @@ import org.dronewatch.world.World;
  * below the line between the points and, within the zone, beside it. For use by one thread.
  */
 public final class GroundPlane {
-    /** Samples of the surface along the line and on each side of it. */
+    /** Number of samples of the surface along the line; also the numbers on each side of it. */
     private static final int ALONG = 7;
 
     private static final int ACROSS = 3;
 
-    /** Number of iterations: the zone follows from the point of reflection, and that from the surface in the zone. */
+    /**
+     * Number of iterations: the zone follows from the point of reflection, and this point follows from the surface in
+     * the zone.
+     */
     private static final int ROUNDS = 2;
 
     /**
@@ -43,7 +46,7 @@ public final class GroundPlane {
     private Position to;
     private double distance;
 
-    /** How the ground is bent when arcs are drawn as straight lines, 1/m. */
+    /** Curvature of the ground when arcs are drawn as straight lines, 1/m. */
     private double bulge;
 
     private double unevenness;
@@ -77,7 +80,7 @@ public final class GroundPlane {
         measure(first, second);
         distance = profile.distance();
         plane.between(first.z(), second.z(), distance);
-        // Sag goes by the length of the line, u by its level distance.
+        // The sag is measured along the line, whereas u is the horizontal distance.
         double steepness = first.distance(second) / Math.max(distance, TOLERANCE);
         bulge = distance > TOLERANCE ? curvature * steepness * steepness : 0.0;
         if (!begin()) {
@@ -126,15 +129,15 @@ public final class GroundPlane {
     }
 
     /**
-     * A first point of reflection: where the path over the ground below the line is shortest (Fermat's principle), with
-     * the plane in which it would be a reflection.
+     * Finds a first point of reflection, at which the path over the ground below the line is shortest (Fermat's
+     * principle), and the plane in which it would be a reflection.
      */
     private boolean begin() {
         double shortest = Double.POSITIVE_INFINITY;
         double at = Double.NaN;
         double below = Double.NaN;
         for (int i = 0; i <= PROFILE; i++) {
-            // Denser towards both ends, near which sound from far above is reflected.
+            // The points are denser towards both ends, near which sound from far above is reflected.
             double u = distance * square(Math.sin(0.5 * Math.PI * i / PROFILE));
             double z = profile.z(u, 0.0) + raised(u);
             double length = Math.hypot(u, from.z() - z) + Math.hypot(distance - u, to.z() - z);
@@ -161,7 +164,7 @@ public final class GroundPlane {
         lastU = Math.min(plane.reflectionU() + halfLength, distance + halfWidth);
     }
 
-    /** Fits a surface to the ground in the zone; at least half of the samples must be on some surface. */
+    /** Fits a surface to the ground in the zone; at least half of the samples must lie on a surface. */
     private boolean fit() {
         surface.clear();
         for (int i = 0; i < ALONG; i++) {
@@ -189,7 +192,8 @@ public final class GroundPlane {
         if (!(ofLow >= 0.0) || !(ofHigh <= 0.0)) {
             return false;
         }
-        // Regula falsi, which is exact for a plane; the Illinois variant halves the figure of an end that stays.
+        // Regula falsi, which is exact for a plane; the Illinois variant halves the value at an end that stays the
+        // same.
         double exact = EXACT * (lastU - firstU);
         for (int step = 0; step < STEPS; step++) {
             double u = low + (high - low) * ofLow / (ofLow - ofHigh);
@@ -210,7 +214,10 @@ public final class GroundPlane {
         return plane.isBelowBoth();
     }
 
-    /** Lays the plane that touches the surface above v = 0; gives the offset of its point of reflection from there. */
+    /**
+     * Lays the plane that touches the surface at u and v = 0, and returns the offset of its point of reflection from
+     * there.
+     */
     private double offset(double u) {
         double bent = u > 0.0 && u < distance ? bulge * (0.5 * distance - u) : 0.0;
         return plane.lay(u, surface.z(u, 0.0) + raised(u), surface.slopeU(u) + bent, surface.slopeV());
@@ -233,7 +240,7 @@ public final class GroundPlane {
         return profile.isSeen(u, v, Math.max(z, mirror) + SPREAD * unevenness + Clearance.GAP, bulge);
     }
 
-    /** How much higher the ground is when arcs are drawn as straight lines, m. */
+    /** The height by which the ground is raised when arcs are drawn as straight lines, m. */
     private double raised(double u) {
         return PathCurvature.sag(bulge, distance, u);
     }

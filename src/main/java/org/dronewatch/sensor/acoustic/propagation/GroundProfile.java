@@ -6,11 +6,11 @@ import org.dronewatch.world.Visibility;
 import org.dronewatch.world.World;
 
 /**
- * The surface below the line between two points and beside it. Its frame: u runs horizontally from below the first
- * point to below the second, v to the left of it. For use by one thread.
+ * The surface below the line between two points and beside it. In its frame, u is measured horizontally from below the
+ * first point towards the second, and v to the left of that direction. For use by one thread.
  */
 final class GroundProfile {
-    /** Points no farther apart than this, m, are directly above one another. */
+    /** Points no farther apart in plan view than this, m, count as directly above one another. */
     private static final double BESIDE = 1e-3;
 
     private final TriangleMesh mesh;
@@ -44,9 +44,9 @@ final class GroundProfile {
     }
 
     /**
-     * Whether nothing is in the way between a point at a height, m, and the two points.
+     * Whether nothing obstructs the lines between a point at a height, m, and the two points.
      *
-     * @param bulge how the ground is bent when arcs are drawn as straight lines, by level distances, 1/m
+     * @param bulge curvature of the ground when arcs are drawn as straight lines, in terms of horizontal distances, 1/m
      */
     boolean isSeen(double u, double v, double z, double bulge) {
         return isSeenFrom(from, x(u, v), y(u, v), z, bulge) && isSeenFrom(to, x(u, v), y(u, v), z, bulge);
@@ -54,7 +54,8 @@ final class GroundProfile {
 
     private boolean isSeenFrom(Position end, double x, double y, double z, double bulge) {
         double levelSquared = square(x - end.x()) + square(y - end.y());
-        // Arcs sag by the length of their chords: both halves of a path must do so by the same level distances.
+        // The sag of an arc depends on the length of its chord; for both halves of a path, it must be computed from the
+        // same horizontal distances.
         double curvature = bulge == 0.0 ? 0.0 : bulge * levelSquared / (levelSquared + square(z - end.z()));
         return arcs.isFree(end.x(), end.y(), end.z(), x, y, z, curvature);
     }
@@ -64,14 +65,15 @@ final class GroundProfile {
     }
 
     /**
-     * The height of the surface at a point, m; not a number if there is none. It is searched for downward from the line
-     * between the points; beside the line, from a point that is as much higher as it is away from the line, and that
-     * must be visible from the line.
+     * The height of the surface at a point, m; NaN if there is none. The surface is searched for downward from the line
+     * between the points; beside the line, the search begins at a point that is as far above the height of the line as
+     * it is away from the line, and that must be visible from the line.
      */
     double z(double u, double v) {
         double nearest = Math.max(0.0, Math.min(distance, u));
         double fraction = distance > BESIDE ? nearest / distance : 0.0;
-        // Straight above each other the line stands on the ground: its lower end is what is nearest to it.
+        // If the points are straight above each other, the line is vertical: its lower end is the point of the line
+        // that is nearest to the ground.
         double z = distance > BESIDE ? from.z() + fraction * (to.z() - from.z()) : Math.min(from.z(), to.z());
         double aside = Math.hypot(u - nearest, v);
         double x = x(u, v);
@@ -90,7 +92,9 @@ final class GroundProfile {
                         / normal[2];
     }
 
-    /** Looks for the highest surface on the line, whose material {@link #material} then is. */
+    /**
+     * Looks for the highest surface at a position on the line; {@link #material} is then the material of that surface.
+     */
     boolean findHighest(double u) {
         double above = visibility.world().bounds().maxZ() + 1.0;
         return visibility.findFirstAlong(x(u, 0.0), y(u, 0.0), above, 0.0, 0.0, -1.0, Double.POSITIVE_INFINITY);
@@ -104,7 +108,7 @@ final class GroundProfile {
         return from.y() + northOfU * u + eastOfU * v;
     }
 
-    /** The number, in the world, of the material that {@link #z} found last. */
+    /** The index, in the world, of the material that {@link #z} found last. */
     int material() {
         return visibility.material();
     }

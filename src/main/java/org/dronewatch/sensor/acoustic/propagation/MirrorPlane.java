@@ -2,8 +2,8 @@ package org.dronewatch.sensor.acoustic.propagation;
 
 /**
  * A plane {@code z = level + slopeU u + slopeV v} that reflects sound between two points above it, in the frame of
- * {@link GroundProfile}: one point is above u = 0, the other above u = distance, both above v = 0. Where arcs are drawn
- * straight the heights are those of the straight line. For use by one thread.
+ * {@link GroundProfile}: one point is above u = 0, the other above u = distance, both above v = 0. If arcs are drawn as
+ * straight lines, the heights are those of these lines. For use by one thread.
  */
 final class MirrorPlane {
     private double firstZ;
@@ -20,8 +20,8 @@ final class MirrorPlane {
     /**
      * Sets both points.
      *
-     * @param z height of the first, m
-     * @param otherZ height of the second, m
+     * @param z height of the first point, m
+     * @param otherZ height of the second point, m
      * @param levelDistance horizontal distance between them, m
      */
     void between(double z, double otherZ, double levelDistance) {
@@ -33,8 +33,8 @@ final class MirrorPlane {
     /**
      * Lays the plane through a point below the line so that it is the point of reflection.
      *
-     * @param u where it is, m
-     * @param z its height, m
+     * @param u coordinate u of the point, m
+     * @param z height of the point, m
      * @return whether there is such a plane, with both points above it
      */
     boolean reflectAt(double u, double z) {
@@ -56,10 +56,10 @@ final class MirrorPlane {
     /**
      * Lays the plane through a point below the line, and finds its point of reflection.
      *
-     * @param u where the point is, m
-     * @param z its height, m
-     * @return how much farther along u the plane reflects; towards a point that is below the plane, where it is behind
-     *     the hill, and not a number where both are
+     * @param u coordinate u of the point, m
+     * @param z height of the point, m
+     * @return distance along u from the point to that at which the plane reflects; if one of the two points is below
+     *     the plane, because it is behind the hill, the result leads towards it; NaN if both are
      */
     double lay(double u, double z, double alongU, double alongV) {
         slopeU = alongU;
@@ -82,7 +82,7 @@ final class MirrorPlane {
         return reflectionU - u;
     }
 
-    /** Computes the heights above the plane; gives whether both points are above it. */
+    /** Computes the heights above the plane, and returns whether both points are above it. */
     private boolean setHeights() {
         heightOfFirst = above(0.0, firstZ);
         heightOfSecond = above(distance, secondZ);
@@ -104,12 +104,12 @@ final class MirrorPlane {
         return level + slopeU * u + slopeV * v;
     }
 
-    /** Where it reflects, along the line, m. */
+    /** The coordinate u, along the line, of the point of reflection, m. */
     double reflectionU() {
         return reflectionU;
     }
 
-    /** Where it reflects, to the left of the line, m. */
+    /** The coordinate v, to the left of the line, of the point of reflection, m. */
     double reflectionV() {
         return reflectionV;
     }

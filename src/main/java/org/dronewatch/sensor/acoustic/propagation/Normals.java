@@ -4,17 +4,20 @@ import org.dronewatch.geometry.TriangleMesh;
 
 /** Unit normals of a mesh's triangles. For use by one thread. */
 public final class Normals {
-    /** Up to this number of triangles the normals are tabulated: a table of this size fits the fastest cache. */
+    /** The normals are tabulated for up to this number of triangles: a table of this size fits the fastest cache. */
     private static final int MOST_TABULATED = 256;
 
-    /** A normal, then one over its length: a product of both is the unit normal. */
+    /**
+     * The numbers kept for each triangle: a normal, and the reciprocal of its length; the product of the two is the
+     * unit normal.
+     */
     private static final int NUMBERS = 4;
 
     private final TriangleMesh mesh;
     private final double[] table;
     private final double[] computed = new double[3];
 
-    /** Normals of a mesh: in a table if it is small, computed on request otherwise. */
+    /** Normals of a mesh: in a table if the mesh is small, and otherwise computed on request. */
     public Normals(TriangleMesh mesh) {
         this.mesh = mesh;
         int tabulated = mesh.triangleCount() <= MOST_TABULATED ? mesh.triangleCount() : 0;
@@ -47,7 +50,7 @@ public final class Normals {
 
     private static void turn(double x, double y, double z, double inverseLength, AcousticRay ray, double[] target) {
         double along = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
-        // Without a branch: which side a triangle shows cannot be predicted. The difference makes of -0 a 0.
+        // Without a branch, since which side a triangle shows cannot be predicted. The difference turns -0 into 0.
         double scale = Math.copySign(inverseLength, 0.0 - along);
         target[0] = x * scale;
         target[1] = y * scale;

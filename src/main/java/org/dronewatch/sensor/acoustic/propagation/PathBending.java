@@ -13,7 +13,7 @@ import org.dronewatch.world.World;
 public final class PathBending {
     private final Atmosphere air;
 
-    /** Null in uniform air, which does not need it. */
+    /** The level of the ground; null in uniform air, for which it is not needed. */
     private final GroundLevel ground;
 
     /** Wind and curvatures in a world. */

@@ -37,7 +37,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
             return NONE;
         }
         double byWind = -air.wind().shear(sourceHeight, sensorHeight) / air.speedOfSound();
-        // The speed of sound is proportional to the root of the temperature.
+        // The speed of sound is proportional to the square root of the temperature.
         return new PathCurvature(
                 -0.5 * air.temperatureGradient() / air.temperature(),
                 byWind * air.wind().eastward(),
@@ -67,7 +67,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
      * drawn as straight lines, m: {@code k s (L - s) / 2}, where k is the curvature, L the length of the line and s the
      * distance along it. This holds at any elevation if lengths are measured along the line.
      *
-     * @param curvature 1/m; negative if the arc bends down, and runs above the line
+     * @param curvature curvature, 1/m; negative if the arc bends down, and runs above the line
      * @param length length of the straight line, m
      * @param at distance along the straight line, m
      */
@@ -78,7 +78,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
     /**
      * The length of an arc with a given chord, m.
      *
-     * @param curvature 1/m
+     * @param curvature curvature, 1/m
      * @param chord length of the chord, m
      */
     public static double arc(double curvature, double chord) {
@@ -90,7 +90,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
      * An upper bound on the sum of a point's distances from the two ends of an arc, m, given an upper limit on that sum
      * in coordinates in which arcs are straight lines and the ground is raised by the {@link #sag}.
      *
-     * @param curvature 1/m
+     * @param curvature curvature, 1/m
      * @param length length of the straight line, m
      * @param limit limit of the sum in these coordinates, at least the length of the straight line, m
      */
@@ -103,7 +103,7 @@ public record PathCurvature(double everywhere, double eastward, double northward
     /**
      * The number of straight pieces that approximate an arc to within {@link #EXACT}.
      *
-     * @param curvature 1/m
+     * @param curvature curvature, 1/m
      * @param length length of the straight line, m
      */
     public static int pieces(double curvature, double length) {

@@ -3,14 +3,14 @@ package org.dronewatch.sensor.acoustic.propagation;
 import java.util.Arrays;
 
 /**
- * The surface {@code z = level + slopeU u + slopeV v + bend u^2} that fits points best, by least squares of z: a plane,
- * or, where that fits better, one that is convex along u. For use by one thread.
+ * The surface {@code z = level + slopeU u + slopeV v + bend u^2} that best fits given points, by least squares of z: a
+ * plane or, if that fits better, a surface that is convex along u. For use by one thread.
  */
 final class SurfaceFit {
     private static final int PLANE = 3;
     private static final int BENT = 4;
 
-    /** Relative to the largest pivot: points on one line do not determine a plane. */
+    /** The least pivot, as a fraction of the largest one: points on one line do not determine a plane. */
     private static final double SINGULAR = 1e-9;
 
     private final double[] us;
@@ -50,7 +50,9 @@ final class SurfaceFit {
     /**
      * Fits the surface to the points.
      *
-     * @param fromU the interval of u; all v lie within half as much as that of v
+     * @param fromU beginning of the interval of u
+     * @param toU end of the interval of u
+     * @param halfV scale of v: half the length of its interval
      * @return false if the points are on one line
      */
     boolean fit(double fromU, double toU, double halfV) {
@@ -61,7 +63,7 @@ final class SurfaceFit {
         return solve(BENT) && factors[BENT - 1] < 0.0 || solve(PLANE);
     }
 
-    /** Normal equations in numbers of the order of one, by elimination. */
+    /** Solves the normal equations, in numbers of the order of one, by elimination. */
     private boolean solve(int unknowns) {
         for (double[] equation : equations) {
             Arrays.fill(equation, 0.0);
@@ -76,7 +78,7 @@ final class SurfaceFit {
             }
         }
         for (int pivot = 0; pivot < unknowns; pivot++) {
-            // A matrix of sums of squares needs no exchange of rows.
+            // A matrix of sums of squares needs no exchange of rows for elimination.
             if (!(equations[pivot][pivot] > SINGULAR * count)) {
                 return false;
             }

@@ -3,7 +3,7 @@ package org.dronewatch.sensor.acoustic.propagation;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorSpecies;
 
-/** The products of {@link BandFactors} by vector instructions, four bands at a time. */
+/** The products of {@link BandFactors}, computed by vector instructions, four bands at a time. */
 final class VectorBands {
     private static final VectorSpecies<Double> DOUBLES_4 = DoubleVector.SPECIES_256;
     private static final int LANES = 4;

@@ -28,7 +28,7 @@ public final class LineSpectrum {
     /** The fraction of each octave band's power that is not in lines. */
     private final double[] broadband = new double[OctaveBands.COUNT];
 
-    /** A line with its power over that of the octave band in which it travels. */
+    /** A line, with its power as a fraction of that of the octave band in which it travels. */
     private record Line(int harmonic, NarrowBand band, int travelling, double ratio) {}
 
     /**
@@ -51,7 +51,8 @@ public final class LineSpectrum {
             broadband[own] = Math.max(0.0, broadband[own] - tone.share());
             tone.heard(approach, soundSpeed)
                     .ifPresent(frequency -> NarrowBand.ofLine(frequency, wind).ifPresent(heard -> {
-                        // In the air it has the frequency that is heard. A silent band reveals nothing of its path.
+                        // In the air, the tone has the frequency at which it is heard. A silent band reveals nothing
+                        // about the path.
                         boolean known = Double.isFinite(powerLevels.get(heard.octave()));
                         int travelling = known ? heard.octave() : own;
                         double power = Levels.toRatio(powerLevels.get(own) - powerLevels.get(travelling));
