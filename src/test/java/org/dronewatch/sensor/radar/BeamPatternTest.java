@@ -104,6 +104,19 @@ class BeamPatternTest {
         assertThat(behind).isCloseTo(-45.0, within(1e-9));
     }
 
+    /** The angle from the axis is that between two directions, whatever their elevations. */
+    @Test
+    void aTiltedArrayLosesGainByTheAngleFromItsAxis() {
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int i = 0; i < 1000; i++) {
+            Direction axis = new Direction(random.nextDouble(-4, 4), random.nextDouble(-1.2, 1.2));
+            Direction aside = axis.turned(random.nextDouble(-0.5, 0.5), random.nextDouble(-0.3, 0.3));
+            assertThat(BEAM.gain(axis, aside, aside))
+                    .as("seed %d, pair %d", SEED, i)
+                    .isCloseTo(15 * Math.log10(axis.unit().dot(aside.unit())), within(1e-9));
+        }
+    }
+
     /** Steered in azimuth alone, it is a fan: full gain at any azimuth, the pattern in elevation. */
     @Test
     void aFanIsSteeredInAzimuthOnly() {

@@ -132,6 +132,20 @@ class LogNormalEchoTest {
         assertThat(loss).isBetween(3.0, 7.0);
     }
 
+    /** Ratios are kept for later; that of a spread which no other test has is found for the first time. */
+    @Test
+    void aRatioIsTheSameWhenItIsSoughtAgain() {
+        long seed = System.nanoTime();
+        double spread = new SplittableRandom(seed).nextDouble(2, 6);
+        SquareLawDetector detector = new SquareLawDetector(1e-6, 1);
+        for (double probability : new double[] {0.1, 0.5, 0.95}) {
+            double first = new LogNormalEcho(detector, spread).required(probability);
+            LogNormalEcho again = new LogNormalEcho(detector, spread);
+            assertThat(again.probability(first)).as("seed %d", seed).isCloseTo(probability, within(1e-9));
+            assertThat(again.required(probability)).as("seed %d", seed).isEqualTo(first);
+        }
+    }
+
     @Test
     void settingsExcludeOneAnother() {
         RadarSignature small = RadarSignature.of(DroneClass.SMALL_UAV);

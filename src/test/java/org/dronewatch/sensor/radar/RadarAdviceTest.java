@@ -9,6 +9,7 @@ import java.util.regex.Pattern;
 import org.dronewatch.drone.RadarSignature.Fluctuation;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.radar.LinkBudget.DataSheet;
+import org.dronewatch.sensor.radar.LinkBudget.Hardware;
 import org.dronewatch.sensor.radar.RadarDetection.FixedThreshold;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -93,5 +94,53 @@ class RadarAdviceTest {
     void aLowThresholdReachesFartherThanTheDataSheet() {
         RadarSettings radar = radar(DataSheet.of(RANGE, CROSS_SECTION)).withDetection(new FixedThreshold(10.0));
         assertThat(radar.advice()).singleElement().asString().contains("up to 600.6 m, not 500 m");
+    }
+
+    /** A radar that looks no farther than the range of the data sheet gains nothing by a low threshold. */
+    @Test
+    void thereIsNothingToSayIfTheLargestRangeIsThatOfTheDataSheet() {
+        RadarSettings radar = radar(DataSheet.of(RANGE, CROSS_SECTION)).withDetection(new FixedThreshold(10.0));
+        assertThat(radar.withRanges(20, RANGE).advice()).isEmpty();
+        assertThat(radar.withRanges(20, 1.001 * RANGE).advice()).hasSize(1);
+    }
+
+    /**
+     * 174 beams of 10 pulses of 0.02 s take 34.8 s. Half a second is enough for a 69.6th of that: 0.287 ms for each. It
+     * is the same for a data sheet that states gain and integration time.
+     */
+    @Test
+    void aScanTakesTimeForAllPulsesOfAllBeams() {
+        String advice = "an antenna of 33 dBi needs at least 174 beams to cover 180 x 20 deg: at 10 pulses with an"
+                + " integrationTime of 0.02 s each, a scan takes 34.8 s, not 0.5 s; lower the rate to 0.0287 Hz,"
+                + " the number of pulses, or the integrationTime to 0.000287 s";
+        Hardware hardware = new Hardware(4, 33, 0.02, 10e6, 5, 6);
+        RadarSettings radar = radar(DataSheet.of(RANGE, CROSS_SECTION))
+                .withFieldOfView(Math.PI, Math.toRadians(20))
+                .withDetection(new RadarDetection.Chance(1e-6, 10))
+                .withRate(2);
+        assertThat(radar.withBudget(hardware).advice()).containsExactly(advice);
+        assertThat(radar.withBudget(hardware).withRate(0.0287).advice()).isEmpty();
+        DataSheet stated = DataSheet.of(RANGE, CROSS_SECTION).withGain(33).withIntegrationTime(0.02);
+        assertThat(radar.withBudget(stated).advice()).containsExactly(advice);
+        assertThat(radar.withBudget(stated.withIntegrationTime(0.000287)).advice())
+                .isEmpty();
+        assertThat(radar.advice()).as("unstated").isEmpty();
+    }
+
+    /** A beam may have all the gain that its widths allow. */
+    @Test
+    void theLargestGainOfABeamIsPossible() {
+        BeamPattern beam = BeamPattern.of(Math.toRadians(3), Math.toRadians(10));
+        RadarSettings radar =
+                radar(DataSheet.of(RANGE, CROSS_SECTION)).withFieldOfView(Math.toRadians(3), Math.toRadians(10));
+        double most = beam.largestGain();
+        assertThat(radar.withBeam(beam)
+                        .withBudget(new Hardware(4, most, 0.02, 10e6, 5, 6))
+                        .advice())
+                .isEmpty();
+        assertThat(radar.withBeam(beam)
+                        .withBudget(new Hardware(4, Math.nextUp(most), 0.02, 10e6, 5, 6))
+                        .advice())
+                .hasSize(1);
     }
 }

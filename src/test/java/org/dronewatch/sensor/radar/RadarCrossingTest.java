@@ -176,6 +176,22 @@ class RadarCrossingTest {
         assertThat(beyond.limit().orElseThrow()).isCloseTo(2 * Math.pow(0.004 / 100, 0.25), within(0.002));
     }
 
+    /** Rotors as strong as the body leave the body less to bring: the speed that is named is the one that it needs. */
+    @Test
+    void aMissNamesTheSpeedThatTheBodyNeedsBesideStrongRotors() {
+        double reach = BUDGET.range(10e9, 0.5 * 0.01, 15.0);
+        Position place = new Position(0, 1.1 * reach, 0);
+        Assessment hovering = assess(RADAR, open(), withRotors(0, place, new Position(0, 0, 0)));
+        assertThat(hovering.cause()).isEqualTo(Cause.TOO_SLOW);
+        double limit = hovering.limit().orElseThrow();
+        assertThat(assess(RADAR, open(), withRotors(0, place, new Position(0, -1.001 * limit, 0)))
+                        .cause())
+                .isEqualTo(Cause.DETECTED);
+        assertThat(assess(RADAR, open(), withRotors(0, place, new Position(0, -0.999 * limit, 0)))
+                        .cause())
+                .isEqualTo(Cause.TOO_SLOW);
+    }
+
     /** With its motors off it shows no rotors; a radar without a notch has no use for them. */
     @Test
     void aGlidingDroneHasNoRotors() {

@@ -106,4 +106,15 @@ class RadarFalseAlarmsTest {
                                 + " scan; there must be at most 1000");
         assertThatThrownBy(() -> none.withGate(0.5)).hasMessage("gate 0.5 must be 1 to 1e6");
     }
+
+    /** A million cells, each with one in a thousand, are as many as are allowed. */
+    @Test
+    void aThousandPerScanAreAllowed() {
+        RadarSettings sheet = RadarSettings.at(PLACE, LinkBudget.DataSheet.of(1000, 0.01));
+        RadarFalseAlarms million = RadarFalseAlarms.DEFAULT.withCells(1e6);
+        assertThat(perLook(sheet.withFalseAlarms(million.withProbability(1e-3))))
+                .isEqualTo(1000.0);
+        assertThatThrownBy(() -> sheet.withFalseAlarms(million.withProbability(1.001e-3)))
+                .hasMessageContaining("there must be at most 1000");
+    }
 }

@@ -9,6 +9,7 @@ import static org.dronewatch.sensor.Walls.look;
 import static org.dronewatch.sensor.Walls.open;
 import static org.dronewatch.sensor.Walls.wall;
 
+import java.util.Optional;
 import org.dronewatch.drone.Drone;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.geometry.TriangleMesh;
@@ -80,5 +81,45 @@ class RadarShadowTest {
                 .isFinite();
         RadarSettings weak = RADAR.withBudget(new Hardware(1e-6, 20, 0.02, 10e6, 0, 0));
         assertThat(assess(weak, world, drone).cause()).isEqualTo(Cause.TOO_WEAK);
+    }
+
+    /**
+     * An edge 1 m below the line in the middle of 1 km takes 3.9 dB each way (ITU-R P.526, v = -0.25): because of it, a
+     * drone that is in sight is missed.
+     */
+    @Test
+    void aDroneInSightIsHiddenByTheEdgeThatTakesItsEcho() {
+        Drone drone = coming(1000, 20);
+        World world = behind(wall(501, -50, 19), ModelRole.BUILDING);
+        RadarSettings weaker = RADAR.withBudget(new Hardware(4, 33, 0.02, 10e6, 0, 0));
+        double open = look(weaker, open(), drone, 0).value();
+        Observation beside = look(weaker, world, drone, 0);
+        assertThat(beside.figures()).containsEntry("visible_share", 1.0);
+        assertThat(open - beside.value()).isCloseTo(7.8, within(0.1));
+        RadarSettings radar = weaker.withDetection(new RadarDetection.FixedThreshold(open - 2));
+        Assessment missed = assess(radar, world, drone);
+        assertThat(missed.cause()).isEqualTo(Cause.HIDDEN_BY_BUILDING);
+        assertThat(missed.obstacle().orElseThrow().model().file()).isEqualTo("wall.obj");
+        assertThat(assess(radar, open(), drone).cause()).isEqualTo(Cause.DETECTED);
+    }
+
+    /** The share that is in sight is a figure of its own; there is none of a drone that the radar does not look for. */
+    @Test
+    void theVisibleShareIsGivenThoughTheEchoGoesRoundEdges() {
+        World world = behind(wall(501, -50, 60), ModelRole.BUILDING);
+        Observation hidden = look(RADAR, world, coming(1000, 10), 0);
+        assertThat(hidden.value()).isFinite();
+        assertThat(hidden.figures()).containsEntry("visible_share", 0.0);
+        Observation standing = look(RADAR, open(), cube(new Position(0, 1000, 20)), 0);
+        assertThat(standing.figures()).containsEntry("visible_share", 0.0).containsEntry("in_field", 1.0);
+    }
+
+    /** Where nothing is in the way, chance alone is left as the reason for a miss: the echo is too weak for it. */
+    @Test
+    void aMissByChanceInTheOpenIsTooWeak() {
+        RadarSensor sensor = RADAR.create();
+        assertThat(sensor.explainMiss(open(), coming(1000, 20), Optional.empty())
+                        .cause())
+                .isEqualTo(Cause.TOO_WEAK);
     }
 }
