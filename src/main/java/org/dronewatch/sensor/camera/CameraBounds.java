@@ -40,9 +40,7 @@ final class CameraBounds {
     /** The bounds for a drone that no pixel shows, by cause, if they are the same at all positions. */
     private final Map<Cause, Optional<AssessmentBounds>> unseen = new EnumMap<>(Cause.class);
 
-    /**
-     * The signals by number of pixels, if they depend on nothing else; null for those that have not been needed yet.
-     */
+    /** The signals by number of pixels, if they depend on nothing else; null for those not needed so far. */
     private final Signal[] known = new Signal[KEPT];
 
     CameraBounds(World world, CameraSignal signals, Cover cover) {
@@ -230,10 +228,7 @@ final class CameraBounds {
                     : Optional.empty();
         }
 
-        /**
-         * The range of signals between two numbers of pixels. All else is equal for one pixel or more, but not for
-         * none.
-         */
+        /** The range of signals between two numbers of pixels, where no pixel at all is a case of its own. */
         private Range range(int least, int most) {
             Signal low = signal(least);
             Signal high = signal(most);

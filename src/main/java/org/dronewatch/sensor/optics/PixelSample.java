@@ -15,10 +15,7 @@ final class PixelSample {
     static final byte UNCERTAIN = 2;
     static final byte FREE = 3;
 
-    /**
-     * The values of {@link SilhouetteMask#INSIDE} and {@link #FREE} have all bits below this one set, and are the
-     * greatest.
-     */
+    /** {@link SilhouetteMask#INSIDE} and {@link #FREE} have all bits below this set, and are the greatest values. */
     private static final int INSIDE_BIT = 2;
 
     /** If there are more pixels around a drone than this, only those of every n-th row and column are examined. */
@@ -58,10 +55,7 @@ final class PixelSample {
     /** The number of pixels of which these are a sample, or an upper bound on it. */
     private int sampled;
 
-    /**
-     * The middle row of the rectangle around the drone, and the distance from it at which the next rows are to be
-     * examined.
-     */
+    /** The middle row of the rectangle around the drone, and the distance from it of the next rows to be examined. */
     private int middle;
 
     private int away;

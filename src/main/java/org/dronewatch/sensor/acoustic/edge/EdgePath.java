@@ -250,18 +250,12 @@ public final class EdgePath {
         GoldenSection.search(at -> detour(at, limit), angle, step, TURNS);
     }
 
-    /**
-     * The length of the longest path that is still of interest, m: once a path is known, planes with a much longer one
-     * are not rotated.
-     */
+    /** The greatest length of interest, m: once a path is known, planes with a much longer one are not rotated. */
     private double bound(double limit) {
         return isFound() ? Math.min(limit, straight + 1.2 * pathDifference + 1e-3) : limit;
     }
 
-    /**
-     * The detour of the shortest path in a plane, m; infinity if it is beyond the limit. The path is kept if it is the
-     * shortest so far.
-     */
+    /** The detour of the shortest path in a plane, m, or infinity; the path is kept if it is the shortest so far. */
     private double detour(double angle, double limit) {
         Position side = line.side(angle);
         cut.cut(line.from(), line.to(), line.ahead(), side, PathCurvature.reach(curvature, straight, limit), curvature);

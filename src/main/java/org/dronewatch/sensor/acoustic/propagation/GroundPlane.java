@@ -16,10 +16,7 @@ public final class GroundPlane {
 
     private static final int ACROSS = 3;
 
-    /**
-     * Number of iterations: the zone follows from the point of reflection, and this point follows from the surface in
-     * the zone.
-     */
+    /** Number of iterations: the zone follows from the point of reflection, and this from the surface in the zone. */
     private static final int ROUNDS = 2;
 
     /**
@@ -214,10 +211,7 @@ public final class GroundPlane {
         return plane.isBelowBoth();
     }
 
-    /**
-     * Lays the plane that touches the surface at u and v = 0, and returns the offset of its point of reflection from
-     * there.
-     */
+    /** Lays the plane that touches the surface at u and v = 0; returns the offset of its point of reflection. */
     private double offset(double u) {
         double bent = u > 0.0 && u < distance ? bulge * (0.5 * distance - u) : 0.0;
         return plane.lay(u, surface.z(u, 0.0) + raised(u), surface.slopeU(u) + bent, surface.slopeV());
