@@ -9,9 +9,11 @@ import org.dronewatch.world.World;
 /**
  * The part of the surface of a site that a radar sees between two ranges at a bearing: the elevations from the skyline
  * of everything within the nearer range up to the skyline of everything within the farther one. So anything in the
- * shadow of something nearer is left out, and slopes and walls count to the extent that they face the radar. The only
- * assumption about the mesh is that everything below a skyline is blocked: no radar looks under a bridge. Allocates
- * nothing but what {@link Ground} returns. For use by one thread.
+ * shadow of something nearer is left out, and slopes and walls count to the extent that they face the radar. The
+ * assumption about the mesh is that everything below a skyline is blocked: no radar looks under a bridge. Where just
+ * above the nearer skyline nothing lies within the farther range, as over the brink of a deep valley, all of the cell
+ * is left out, even a steep opposite face in it. Allocates nothing but what {@link Ground} returns. For use by one
+ * thread.
  */
 final class VisibleGround {
     /** The precision of elevations, as a fraction of the angle that the cell fills if nothing hides it. */
