@@ -36,7 +36,7 @@ class FileKindTest {
                 "map| {type|world.terrain|a JSON file, which belongs under world.buildings",
             })
     void whereItBelongsIsSaid(String name, String start, String wanted, String words) {
-        assertThat(misplaced(name, start, wanted)).contains("is " + words + ", not to " + wanted);
+        assertThat(misplaced(name, start, wanted)).contains("is " + words + ", not under " + wanted);
     }
 
     @Test
