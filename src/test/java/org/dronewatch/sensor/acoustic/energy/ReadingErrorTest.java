@@ -18,10 +18,15 @@ import org.junit.jupiter.params.provider.EnumSource;
  * standard deviation to 13 %, the 100 of the long form to 7 %, so what is true of all seeds may fall out of these
  * limits by chance; the seeds are fixed. A stated error of half or twice the scatter is found almost certainly. Each
  * reading is judged by the error that it states itself: on the hill, about one in a hundred is 0.1 to 0.2 dB too high
- * and says so, and the others are a few hundredths of a decibel off at most. In the best band, up
- * to {@value ReadingSpread#ALLOWANCE} dB of a stated error may be too much: an allowance for rays that were not drawn.
+ * and says so, and the others are a few hundredths of a decibel off at most. In the best band, and where no more than
+ * {@value #SMALL} dB are stated, up to {@value ReadingSpread#ALLOWANCE} dB of a stated error may be too much: an
+ * allowance for rays that were not drawn. From the microphone to the drone on the hill, 0.01 dB are stated, and 400
+ * readings scatter by 0.7 times that.
  */
 class ReadingErrorTest {
+    /** A stated error of at most this may consist of an allowance, dB. */
+    private static final double SMALL = 0.02;
+
     private static final int SEEDS = LongForm.count(30, 100);
 
     /** Where drone and microphone are. */
@@ -67,10 +72,11 @@ class ReadingErrorTest {
     private static ReadingSpread check(SoundSites site, Criterion criterion, Position from, Position to, String where) {
         ReadingSpread spread = ReadingSpread.of(site, criterion, from, to, SEEDS, 1000);
         System.out.printf("%s: deviations over stated errors %.3f, %s%n", where, spread.ratio(), spread);
+        boolean isExact = criterion == Criterion.A_WEIGHTED && spread.stated() > SMALL;
         assertThat(spread.unconverged()).as("%s: readings on few rays", where).isLessThanOrEqualTo(2);
         assertThat(spread.ratio())
                 .as("%s: deviations over stated errors of %.3f dB", where, spread.stated())
-                .isBetween(criterion == Criterion.A_WEIGHTED ? 0.8 : spread.leastRatio(), 1.25);
+                .isBetween(isExact ? 0.8 : spread.leastRatio(), 1.25);
         assertThat(spread.beyond())
                 .as("%s: readings beyond three stated errors", where)
                 .isLessThanOrEqualTo(2);
