@@ -31,8 +31,8 @@ final class DetectionTable {
     }
 
     /**
-     * Adds false alarms, which have an event of their own kind and no drone; one that lasts has a single row, for its
-     * beginning.
+     * Adds rows for false alarms: their event has a separate name, and they have no drone. One that lasts has a single
+     * row, for its beginning.
      */
     void addFalseAlarms(Frame frame) {
         for (Observation observation : frame.observations()) {

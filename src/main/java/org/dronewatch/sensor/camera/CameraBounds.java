@@ -228,7 +228,7 @@ final class CameraBounds {
                     : Optional.empty();
         }
 
-        /** The range of signals between two numbers of pixels, where no pixel at all is a case of its own. */
+        /** The range of signals between two numbers of pixels; zero pixels are treated separately. */
         private Range range(int least, int most) {
             Signal low = signal(least);
             Signal high = signal(most);

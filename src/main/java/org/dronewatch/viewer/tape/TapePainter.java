@@ -24,7 +24,7 @@ import org.jogamp.vecmath.Point2d;
  * @param pixels returns the pixel at which a position is drawn; empty if it is outside the picture
  */
 public record TapePainter(Function<Position, Optional<Point2d>> pixels) {
-    /** Colours that can be told apart with any colour vision: Okabe and Ito, Color Universal Design, 2008. */
+    /** Colours for all types of colour vision: Okabe and Ito, Color Universal Design, 2008. */
     private static final Color CLEAR = new Color(0x0072b2);
 
     private static final Color BLOCKED = new Color(0xd55e00);

@@ -153,7 +153,7 @@ class DetectabilityTest {
     }
 
     /** The chance that the sum of unit exponentials exceeds a value. */
-    private static double erlangTail(int count, double value) {
+    static double erlangTail(int count, double value) {
         double tail = 0;
         double logTerm = -value;
         for (int k = 0; k < count; k++) {

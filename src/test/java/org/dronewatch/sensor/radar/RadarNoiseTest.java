@@ -120,24 +120,16 @@ class RadarNoiseTest {
     void sumsOfNoiseExceedTheThresholdExponentially(int pulses, double falseAlarm) {
         RadarSettings radar = RADAR.withDetection(new Chance(falseAlarm, pulses));
         double threshold = radar.falseReading(Walls.open(), 0).threshold();
-        assertThat(tail(pulses, pulses * ratio(threshold)) / falseAlarm).isCloseTo(1, within(1e-9));
+        assertThat(DetectabilityTest.erlangTail(pulses, pulses * ratio(threshold)) / falseAlarm)
+                .isCloseTo(1, within(1e-9));
         for (double excess : new double[] {0, 0.01, 1, 5}) {
             Reading reading = radar.falseReading(Walls.open(), excess);
-            double share = tail(pulses, pulses * ratio(reading.value())) / falseAlarm / Math.exp(-excess);
+            double share = DetectabilityTest.erlangTail(pulses, pulses * ratio(reading.value()))
+                    / falseAlarm
+                    / Math.exp(-excess);
             assertThat(reading.threshold()).isEqualTo(threshold);
             assertThat(share).isLessThanOrEqualTo(1 + 1e-9);
             assertThat(share).isGreaterThan(excess < 0.1 ? 1 - 1e-4 : 0.3);
         }
-    }
-
-    /** The chance that the sum of unit exponentials exceeds a value. */
-    private static double tail(int count, double value) {
-        double sum = 0;
-        double logTerm = -value;
-        for (int k = 0; k < count; k++) {
-            sum += Math.exp(logTerm);
-            logTerm += Math.log(value / (k + 1));
-        }
-        return sum;
     }
 }

@@ -204,10 +204,6 @@ final class EndSearch {
             double known,
             PathCurvature curvature,
             Samples samplesOfSource) {
-        ImageSourceCandidates exactly = new ImageSourceCandidates();
-        for (int[] walls : exact.wallSequences()) {
-            exactly.add(walls, 0.0);
-        }
         return new Ends(
                 source,
                 sensor,
@@ -216,7 +212,7 @@ final class EndSearch {
                 ImageSources.NONE,
                 ImageSources.NONE,
                 fromSensor,
-                exactly.best(Integer.MAX_VALUE, 0.0),
+                imageSources(exact.wallSequences()),
                 known,
                 curvature,
                 false,
@@ -233,7 +229,9 @@ final class EndSearch {
             ImageSources pureOfTarget,
             ExactPaths exact,
             PathCurvature curvature) {
-        ImageSourceCandidates exactly = new ImageSourceCandidates();
+        List<int[]> exactly = isFromSource
+                ? exact.wallSequences().stream().map(SpecularPaths::reversed).toList()
+                : exact.wallSequences();
         ImageSourceCandidates near = new ImageSourceCandidates();
         ImageSourceCandidates far = new ImageSourceCandidates();
         // Sound that walls reflect from one end to the other returns by way of the same walls in reverse order.
@@ -245,9 +243,7 @@ final class EndSearch {
                     .toList();
             addAll(search.towards(target.position(), shelter, maxOrder).best(MOST_CANDIDATES, 0.0), near, far);
         }
-        for (int[] fromSource : exact.wallSequences()) {
-            int[] walls = isFromSource ? SpecularPaths.reversed(fromSource) : fromSource;
-            exactly.add(walls, 0.0);
+        for (int[] walls : exactly) {
             near.add(walls, 0.0);
             far.add(SpecularPaths.reversed(walls), 0.0);
         }
@@ -272,12 +268,18 @@ final class EndSearch {
                 ofStart,
                 pureOfTarget,
                 pureOfStart,
-                exactly.best(Integer.MAX_VALUE, 0.0),
+                imageSources(exactly),
                 known,
                 curvature,
                 true,
                 roulette,
                 scatterers(start.samples(), target.samples()));
+    }
+
+    private static ImageSources imageSources(List<int[]> sequences) {
+        ImageSourceCandidates all = new ImageSourceCandidates();
+        sequences.forEach(walls -> all.add(walls, 0.0));
+        return all.best(Integer.MAX_VALUE, 0.0);
     }
 
     private static Set<Integer> scatterers(Samples one, Samples other) {
