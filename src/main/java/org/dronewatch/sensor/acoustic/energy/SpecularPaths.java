@@ -1,8 +1,11 @@
 package org.dronewatch.sensor.acoustic.energy;
 
+import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.dronewatch.geometry.Position;
 import org.dronewatch.sensor.acoustic.imagesource.ImageSources;
@@ -62,6 +65,9 @@ final class SpecularPaths {
     /** The walls of paths that several walls reflect, in order from the source on. */
     private final List<int[]> found = new ArrayList<>();
 
+    /** The same walls as a set: in a room there are hundreds of paths, and thousands of candidates for more. */
+    private final Set<IntBuffer> foundWalls = new HashSet<>();
+
     private double[] imagePositions = new double[0];
     private double[] images = new double[3 * 16];
 
@@ -88,6 +94,7 @@ final class SpecularPaths {
         fromSensor = clearance.apart(to, off);
         curvature = ofAir;
         found.clear();
+        foundWalls.clear();
         singles.clear();
     }
 
@@ -183,7 +190,7 @@ final class SpecularPaths {
     }
 
     private void addOver(int[] walls, FoundPaths paths) {
-        if (isTwiceInTurn(walls) || found.stream().anyMatch(known -> Arrays.equals(known, walls))) {
+        if (isTwiceInTurn(walls) || foundWalls.contains(IntBuffer.wrap(walls))) {
             return;
         }
         ImageSources imageSources = ImageSources.of(walls);
@@ -254,6 +261,7 @@ final class SpecularPaths {
         images[3 * found.size() + 1] = y;
         images[3 * found.size() + 2] = z;
         found.add(walls);
+        foundWalls.add(IntBuffer.wrap(walls));
         add(paths, lengthOver(walls), side > 0.0 ? path.riseFromBeginning() : path.riseFromEnd());
     }
 
