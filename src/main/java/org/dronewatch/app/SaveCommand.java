@@ -98,8 +98,8 @@ final class SaveCommand implements Callable<Integer> {
         settings.drones().forEach((name, drone) -> {
             if (drone.flight() instanceof Steered) {
                 Notes.of(spec)
-                        .accept("drones." + name + ".flight: is steered, and a scene file has no pilot:"
-                                + " use another kind of flight before you run the file");
+                        .accept("drones." + name + ".flight: is steered by a program, which a scene file"
+                                + " cannot contain: use another kind of flight before you run the file");
             }
         });
     }

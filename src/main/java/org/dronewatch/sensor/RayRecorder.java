@@ -1,6 +1,6 @@
 package org.dronewatch.sensor;
 
-/** Receives every segment of every ray that a sensor traces. */
+/** Receives the segments of the rays that a sensor traces; the sensor states which of its rays these are. */
 @FunctionalInterface
 public interface RayRecorder {
     /** A recorder that ignores everything. */

@@ -398,6 +398,7 @@ class CommandLineTest extends CommandLines {
                 "--view orbit --cut roof | --cut roof",
                 "--view orbit --max-order -1 --rays | --max-order -1",
                 "--view orbit --rays | no sensor of the scene traces rays",
+                "--view orbit --rays --focus camera | the sensor given by --focus, camera, traces no rays",
                 "--view orbit --time 99 | --time 99: must be 0 to 39",
             })
     void aPictureThatCannotBeIsRefusedInOneLine(String options, String said) throws IOException {

@@ -147,9 +147,8 @@ class PlaceObjectivesTest {
         assertThat(promised.get("value").asDouble())
                 .isLessThan(0.999 * routes.get("least_exposure").asDouble());
         assertThat(place.outcome().out())
-                .contains(
-                        "A search past this layout alone finds no route with an exposure below 0.388; but a route that"
-                                + " was found past other sensors is weaker past this layout, too: 0.386.");
+                .contains("A search with this layout alone finds no route with an exposure below 0.388; but on a route"
+                        + " that was found with other sensors, the exposure to this layout is even lower: 0.386.");
     }
 
     /** Each radar sees half of the directions: one alone warns of nothing from the others. */

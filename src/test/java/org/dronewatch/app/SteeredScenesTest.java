@@ -58,8 +58,9 @@ class SteeredScenesTest {
         Outcome outcome = Program.run("save", scene().toString(), "--out", saved.toString());
         assertThat(outcome.code()).as(outcome.err()).isZero();
         assertThat(outcome.err())
-                .contains("drones.guard.flight: is steered, and a scene file has no pilot: use another kind of flight"
-                        + " before you run the file");
+                .contains(
+                        "drones.guard.flight: is steered by a program, which a scene file cannot contain: use another kind"
+                                + " of flight before you run the file");
         assertThat(saved).content().contains("steered");
     }
 

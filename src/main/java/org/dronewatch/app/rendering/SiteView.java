@@ -235,8 +235,10 @@ public final class SiteView {
         String sensor = stage.raySensors().stream()
                 .filter(id -> focus == null || !settings.sensors().containsKey(focus) || id.equals(focus))
                 .findFirst()
-                .orElseThrow(() -> new InputException("--rays: no sensor of the scene traces rays"
-                        + (focus == null ? "" : ", or the one given by --focus " + focus + " does not")));
+                .orElseThrow(() -> new InputException(
+                        focus != null && settings.sensors().containsKey(focus)
+                                ? "--rays: the sensor given by --focus, " + focus + ", traces no rays"
+                                : "--rays: no sensor of the scene traces rays"));
         String drone = settings.individualDrones().containsKey(focus)
                 ? focus
                 : settings.individualDrones().keySet().iterator().next();

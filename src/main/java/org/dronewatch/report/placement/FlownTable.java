@@ -130,9 +130,9 @@ final class FlownTable {
                 .map(route -> Math.min(WeakestRouteSearch.ENOUGH, route.route().exposure()))
                 .filter(found ->
                         best.asItIs() < found && !RouteSentences.exposure(found).equals(known))
-                .map(found -> "A search past this layout alone finds no route with an exposure below "
-                        + RouteSentences.exposure(found) + "; but a route that was found past other sensors is"
-                        + " weaker past this layout, too: " + known + ".");
+                .map(found -> "A search with this layout alone finds no route with an exposure below "
+                        + RouteSentences.exposure(found) + "; but on a route that was found with other sensors,"
+                        + " the exposure to this layout is even lower: " + known + ".");
     }
 
     /** {@code , in the scene as it is}; an empty text if only that counts. */

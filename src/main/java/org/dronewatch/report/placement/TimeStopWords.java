@@ -44,7 +44,7 @@ final class TimeStopWords {
     private static String words(LeftOut part) {
         return switch (part) {
             case COVERAGE -> "the coverage of the layout at each height";
-            case WARNINGS -> "the warnings of the layout at each height";
+            case WARNINGS -> "the warning times of the layout at each height";
             case PARTS -> "the figures of single sensors and the order of purchase";
             case FLIGHTS -> "the flights along the weakest routes";
             case ATTACKS -> "the attacks";

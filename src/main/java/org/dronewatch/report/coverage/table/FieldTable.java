@@ -194,8 +194,8 @@ public final class FieldTable {
         return error.percentile95OfLooks() <= InterpolationError.ACCURATE
                 ? "larger cells or fewer heights help"
                 : text(
-                        "the random rays of a look alone cause up to %.2f dB, so only a larger"
-                                + " sensors.%s.propagation.rays helps",
+                        "the random rays of a look alone cause errors of up to %.2f dB (95 %%), so only a"
+                                + " larger sensors.%s.propagation.rays helps",
                         error.percentile95OfLooks(), sensor);
     }
 

@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * Finds the walls that may reflect sound specularly from one point straight to another: at the point of reflection, a
- * wall's normal halves the angle between the directions to both. Whole branches of a tree of walls are ruled out by the
- * sphere around them and the cone of their normals, so that few walls of a terrain need to be tried. The result
+ * wall's normal bisects the angle between the directions to both. Whole branches of a tree of walls are ruled out by
+ * the sphere around them and the cone of their normals, so that few walls of a terrain need to be tried. The result
  * contains every wall that reflects, and may contain others. For use by one thread.
  */
 public final class SingleReflections {
