@@ -2,24 +2,36 @@ package org.dronewatch.sensor.acoustic.energy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.dronewatch.LongForm;
 import org.dronewatch.geometry.Position;
+import org.dronewatch.geometry.TriangleMesh;
 import org.dronewatch.sensor.RayRecorder;
 import org.dronewatch.sound.surface.SurfaceMaterial;
 import org.dronewatch.world.World;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Readings by the default settings scatter as much as they state in small and large rooms whose surfaces absorb much or
- * little, and scatter much or little. Where surfaces absorb much, few rays pass the source; a few strong ones would
+ * little, and scatter much or little; where one surface absorbs far more than the others, in a corridor, and from one
+ * room through a doorway to another. Where surfaces absorb much, few rays pass the source; a few strong ones would
  * decide. In the largest rooms that absorb much, four in a hundred are off by more than three stated errors.
  */
 class RoomErrorTest {
     private static final int SEEDS = LongForm.count(40, 200);
     private static final long FIRST = 500;
+
+    /** About one stated error of a reading: means of both ways are that close, dB. */
+    private static final double EXCHANGED = 0.25;
+
+    private static final SurfaceMaterial WALL = SurfaceMaterial.uniform("wall", 0.1, 0.1);
+    private static final SurfaceMaterial PLAIN_CEILING = SurfaceMaterial.uniform("ceiling", 0.1, 0.1);
+    private static final SurfaceMaterial ABSORBING_CEILING = SurfaceMaterial.uniform("ceiling", 0.9, 0.3);
 
     @ParameterizedTest
     @CsvSource({
@@ -40,7 +52,61 @@ class RoomErrorTest {
         check(room, other, one);
     }
 
-    private static void check(World room, Position drone, Position microphone) {
+    /** The ceiling absorbs nearly everything, the other surfaces hardly anything. */
+    @Test
+    void readingsBelowAnAbsorbingCeilingScatterAsTheySay() {
+        checkBothWays(hall(14, 5, 3, ABSORBING_CEILING), new Position(0.3, 0.1, 0), new Position(13.9, 4.95, 2.9));
+    }
+
+    @Test
+    void readingsInACorridorScatterAsTheySay() {
+        checkBothWays(hall(40, 2, 2.5, PLAIN_CEILING), new Position(2, 0.7, 1), new Position(37, 1.4, 2.3));
+    }
+
+    /** From one room to the other, and into the doorway between them. */
+    @Test
+    void readingsBetweenTwoRoomsScatterAsTheySay() {
+        World rooms = twoRooms(PLAIN_CEILING);
+        checkBothWays(rooms, new Position(2, 4, 1.2), new Position(12, 4.5, 1.5));
+        checkBothWays(rooms, new Position(2, 4, 1.2), new Position(7, 1, 1));
+    }
+
+    /** The drone lies on the floor. */
+    @Test
+    void readingsBetweenTwoRoomsWithAbsorbingCeilingsScatterAsTheySay() {
+        checkBothWays(twoRooms(ABSORBING_CEILING), new Position(2, 4, 0), new Position(12, 4.5, 1.5));
+    }
+
+    private static World twoRooms(SurfaceMaterial ceiling) {
+        TriangleMesh beside = Sites.wall(0, 7, 0, 0.5, 0, 3);
+        TriangleMesh beyond = Sites.wall(0, 7, 1.5, 5, 0, 3);
+        TriangleMesh above = Sites.wall(0, 7, 0.5, 1.5, 2.1, 3);
+        return hall(14, 5, 3, ceiling, beside, beyond, above);
+    }
+
+    private static World hall(double x, double y, double z, SurfaceMaterial ceiling, TriangleMesh... inside) {
+        TriangleMesh walls = World.merge(Stream.concat(
+                        Stream.of(
+                                Sites.wall(2, 0, 0, x, 0, y),
+                                Sites.wall(0, 0, 0, y, 0, z),
+                                Sites.wall(0, x, 0, y, 0, z),
+                                Sites.wall(1, 0, 0, z, 0, x),
+                                Sites.wall(1, y, 0, z, 0, x)),
+                        Stream.of(inside))
+                .toList());
+        return Sites.world(List.of(walls, Sites.wall(2, z, 0, x, 0, y)), List.of(WALL, ceiling));
+    }
+
+    /** As {@link #check}; and exchanging drone and microphone changes the mean level by less than a reading's error. */
+    private static void checkBothWays(World space, Position one, Position other) {
+        double difference = check(space, one, other) - check(space, other, one);
+        assertThat(difference)
+                .as("difference when drone and microphone are exchanged, dB")
+                .isBetween(-EXCHANGED, EXCHANGED);
+    }
+
+    /** Checks the readings of many seeds, and returns their mean, dB. */
+    private static double check(World room, Position drone, Position microphone) {
         EnergyTracer tracer = new EnergyTracer(EnergyModel.DEFAULT, microphone, 0.5, room);
         double[] levels = new double[SEEDS];
         double[] errors = new double[SEEDS];
@@ -71,5 +137,6 @@ class RoomErrorTest {
                 beyond);
         assertThat(ratio).as("scatter over stated error").isBetween(0.7, 1.3);
         assertThat(beyond).as("readings beyond three stated errors").isLessThanOrEqualTo(SEEDS / 25 + 1);
+        return mean;
     }
 }
