@@ -199,6 +199,13 @@ final class SettingsReference {
         return standard(value);
     }
 
+    /** Settings that have a default as a whole, while their own table has none for some of them. */
+    private String byName(SettingsForm form, Record settings) {
+        return form.parts().stream()
+                .map(part -> part.getName() + ": " + standard(SettingsForm.get(settings, part)))
+                .collect(Collectors.joining(", ", "{", "}"));
+    }
+
     private String standard(Object value) {
         if (value instanceof Double number) {
             return String.format(Locale.ROOT, "%.6g", number)
@@ -219,7 +226,11 @@ final class SettingsReference {
             if (isOneOfSeveral(settings)) {
                 return "`" + Choices.nameOf(value.getClass()) + "`";
             }
-            return SettingsForm.of(value.getClass()).isNumbers() ? numbers(settings) : "see its table";
+            SettingsForm form = SettingsForm.of(value.getClass());
+            if (form.isNumbers()) {
+                return numbers(settings);
+            }
+            return form.isCompleteByDefault() ? "see its table" : "`" + byName(form, settings) + "`";
         }
         if (value instanceof Optional<?> optional) {
             return optional.isEmpty() ? "none" : standard(optional.get());
