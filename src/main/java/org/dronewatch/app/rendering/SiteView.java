@@ -232,11 +232,12 @@ public final class SiteView {
         if (!rays) {
             return Optional.empty();
         }
+        boolean isSensorGiven = focus != null && settings.sensors().containsKey(focus);
         String sensor = stage.raySensors().stream()
-                .filter(id -> focus == null || !settings.sensors().containsKey(focus) || id.equals(focus))
+                .filter(id -> !isSensorGiven || id.equals(focus))
                 .findFirst()
                 .orElseThrow(() -> new InputException(
-                        focus != null && settings.sensors().containsKey(focus)
+                        isSensorGiven
                                 ? "--rays: the sensor given by --focus, " + focus + ", traces no rays"
                                 : "--rays: no sensor of the scene traces rays"));
         String drone = settings.individualDrones().containsKey(focus)

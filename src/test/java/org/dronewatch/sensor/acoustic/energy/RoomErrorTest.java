@@ -30,8 +30,6 @@ class RoomErrorTest {
     private static final double EXCHANGED = 0.25;
 
     private static final SurfaceMaterial WALL = SurfaceMaterial.uniform("wall", 0.1, 0.1);
-    private static final SurfaceMaterial PLAIN_CEILING = SurfaceMaterial.uniform("ceiling", 0.1, 0.1);
-    private static final SurfaceMaterial ABSORBING_CEILING = SurfaceMaterial.uniform("ceiling", 0.9, 0.3);
 
     @ParameterizedTest
     @CsvSource({
@@ -55,18 +53,18 @@ class RoomErrorTest {
     /** The ceiling absorbs nearly everything, the other surfaces hardly anything. */
     @Test
     void readingsBelowAnAbsorbingCeilingScatterAsTheySay() {
-        checkBothWays(hall(14, 5, 3, ABSORBING_CEILING), new Position(0.3, 0.1, 0), new Position(13.9, 4.95, 2.9));
+        checkBothWays(underAbsorbingCeiling(), new Position(0.3, 0.1, 0), new Position(13.9, 4.95, 2.9));
     }
 
     @Test
     void readingsInACorridorScatterAsTheySay() {
-        checkBothWays(hall(40, 2, 2.5, PLAIN_CEILING), new Position(2, 0.7, 1), new Position(37, 1.4, 2.3));
+        checkBothWays(Sites.world(Sites.room(40, 2, 2.5), WALL), new Position(2, 0.7, 1), new Position(37, 1.4, 2.3));
     }
 
     /** From one room to the other, and into the doorway between them. */
     @Test
     void readingsBetweenTwoRoomsScatterAsTheySay() {
-        World rooms = twoRooms(PLAIN_CEILING);
+        World rooms = Sites.world(World.merge(List.of(Sites.room(14, 5, 3), doorway())), WALL);
         checkBothWays(rooms, new Position(2, 4, 1.2), new Position(12, 4.5, 1.5));
         checkBothWays(rooms, new Position(2, 4, 1.2), new Position(7, 1, 1));
     }
@@ -74,27 +72,28 @@ class RoomErrorTest {
     /** The drone lies on the floor. */
     @Test
     void readingsBetweenTwoRoomsWithAbsorbingCeilingsScatterAsTheySay() {
-        checkBothWays(twoRooms(ABSORBING_CEILING), new Position(2, 4, 0), new Position(12, 4.5, 1.5));
+        checkBothWays(underAbsorbingCeiling(doorway()), new Position(2, 4, 0), new Position(12, 4.5, 1.5));
     }
 
-    private static World twoRooms(SurfaceMaterial ceiling) {
-        TriangleMesh beside = Sites.wall(0, 7, 0, 0.5, 0, 3);
-        TriangleMesh beyond = Sites.wall(0, 7, 1.5, 5, 0, 3);
-        TriangleMesh above = Sites.wall(0, 7, 0.5, 1.5, 2.1, 3);
-        return hall(14, 5, 3, ceiling, beside, beyond, above);
+    /** The wall between two rooms, with a doorway. */
+    private static TriangleMesh doorway() {
+        return World.merge(List.of(
+                Sites.wall(0, 7, 0, 0.5, 0, 3), Sites.wall(0, 7, 1.5, 5, 0, 3), Sites.wall(0, 7, 0.5, 1.5, 2.1, 3)));
     }
 
-    private static World hall(double x, double y, double z, SurfaceMaterial ceiling, TriangleMesh... inside) {
+    /** A room of 14 x 5 x 3 m. */
+    private static World underAbsorbingCeiling(TriangleMesh... inside) {
         TriangleMesh walls = World.merge(Stream.concat(
                         Stream.of(
-                                Sites.wall(2, 0, 0, x, 0, y),
-                                Sites.wall(0, 0, 0, y, 0, z),
-                                Sites.wall(0, x, 0, y, 0, z),
-                                Sites.wall(1, 0, 0, z, 0, x),
-                                Sites.wall(1, y, 0, z, 0, x)),
+                                Sites.wall(2, 0, 0, 14, 0, 5),
+                                Sites.wall(0, 0, 0, 5, 0, 3),
+                                Sites.wall(0, 14, 0, 5, 0, 3),
+                                Sites.wall(1, 0, 0, 3, 0, 14),
+                                Sites.wall(1, 5, 0, 3, 0, 14)),
                         Stream.of(inside))
                 .toList());
-        return Sites.world(List.of(walls, Sites.wall(2, z, 0, x, 0, y)), List.of(WALL, ceiling));
+        SurfaceMaterial ceiling = SurfaceMaterial.uniform("ceiling", 0.9, 0.3);
+        return Sites.world(List.of(walls, Sites.wall(2, 3, 0, 14, 0, 5)), List.of(WALL, ceiling));
     }
 
     /** As {@link #check}; and exchanging drone and microphone changes the mean level by less than a reading's error. */
