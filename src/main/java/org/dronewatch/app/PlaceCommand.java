@@ -94,8 +94,8 @@ final class PlaceCommand implements Callable<Integer> {
             paramLabel = "S",
             description = "Ends the search this long after the candidates have been assessed, with a unit or in s: the"
                     + " best layout so far is then stated with a bound. Flights, attacks and the coverage of the layout"
-                    + " are left out where they are not complete 10 s later. No limit by default. The result depends on"
-                    + " the machine.")
+                    + " are left out where they are not complete 10 s later. With a limit, the result depends on the"
+                    + " speed of the machine. No limit by default.")
     private String time;
 
     @Option(

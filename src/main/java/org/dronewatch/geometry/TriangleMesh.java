@@ -114,6 +114,15 @@ public final class TriangleMesh {
         return vertices.length / 3;
     }
 
+    /** The greatest absolute value of a vertex's coordinates, m; 0 without vertices. */
+    public double greatestCoordinate() {
+        double greatest = 0.0;
+        for (float coordinate : vertices) {
+            greatest = Math.max(greatest, Math.abs(coordinate));
+        }
+        return greatest;
+    }
+
     /**
      * One coordinate of one corner of a triangle, m.
      *

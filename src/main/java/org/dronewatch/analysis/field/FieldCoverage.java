@@ -34,8 +34,8 @@ public final class FieldCoverage {
     public static final double DEFAULT_COVERED = 0.5;
 
     /**
-     * The least probability that can be requested: two steps of 1/250. All probabilities above 0 and below 0.006 are
-     * rounded to 1/250, and are therefore indistinguishable.
+     * The least probability that can be requested: two steps of 1/250. All probabilities above 0 and below 0.006
+     * count as 1/250 in results, and are therefore indistinguishable there.
      */
     public static final double LEAST_COVERED = 0.008;
 

@@ -95,7 +95,7 @@ final class MissionCommands {
         return WINGED.contains(vehicle);
     }
 
-    /** Whether a type of vehicle drives or swims. */
+    /** Whether a type of vehicle travels on land or water. */
     static boolean isOnTheGround(int vehicle) {
         return ON_THE_GROUND.contains(vehicle);
     }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The outline of obstacles in a plane: straight pieces in coordinates u along a line and v across it. Pieces that end
- * at the same coordinates share a point. For use by one thread.
+ * at about the same coordinates share a point. For use by one thread.
  */
 final class CutOutline {
     private double[] u = new double[256];
@@ -18,8 +18,27 @@ final class CutOutline {
     private int[] ends = new int[512];
     private int pieces;
 
-    /** A hash table with open addressing: each slot holds one more than the index of a point, or 0 if it is free. */
+    /** Within this distance in both coordinates, points are the same, m. */
+    private final double tolerance;
+
+    /** The cells by which points are looked up are as wide as this, m; most points are far from a border. */
+    private final double cell;
+
+    /**
+     * A hash table of the cells of all points, with open addressing: each slot holds one more than the index of a
+     * point, or 0 if it is free.
+     */
     private int[] table = new int[1024];
+
+    /**
+     * An outline without pieces.
+     *
+     * @param tolerance within this distance in both coordinates, points are the same, above 0, m
+     */
+    CutOutline(double tolerance) {
+        this.tolerance = tolerance;
+        this.cell = 8.0 * tolerance;
+    }
 
     /** Removes all pieces, and makes room for at most this many points of the mesh. */
     void clear(int most) {
@@ -35,18 +54,37 @@ final class CutOutline {
 
     /** The point of the mesh at given coordinates: a known one, or a new one. */
     int point(double atU, double atV) {
-        long bits = Double.doubleToLongBits(atU) * 0x9E3779B97F4A7C15L + Double.doubleToLongBits(atV);
+        long lastU = cell(atU + tolerance);
+        long lastV = cell(atV + tolerance);
+        for (long cellU = cell(atU - tolerance); cellU <= lastU; cellU++) {
+            for (long cellV = cell(atV - tolerance); cellV <= lastV; cellV++) {
+                int known = table[slot(cellU, cellV, atU, atV)] - 1;
+                if (known >= 0) {
+                    return known;
+                }
+            }
+        }
+        table[slot(cell(atU), cell(atV), atU, atV)] = points + 1;
+        return append(atU, atV, true);
+    }
+
+    private long cell(double coordinate) {
+        return (long) Math.floor(coordinate / cell);
+    }
+
+    /** The slot of a point that is known, among those of a cell; otherwise the first free slot of the cell. */
+    private int slot(long cellU, long cellV, double atU, double atV) {
+        long bits = cellU * 0x9E3779B97F4A7C15L + cellV;
         bits *= 0xC2B2AE3D27D4EB4FL;
         int slot = (int) (bits >>> 32) & (table.length - 1);
         while (table[slot] != 0) {
             int known = table[slot] - 1;
-            if (u[known] == atU && v[known] == atV) {
-                return known;
+            if (Math.abs(u[known] - atU) <= tolerance && Math.abs(v[known] - atV) <= tolerance) {
+                return slot;
             }
             slot = (slot + 1) & (table.length - 1);
         }
-        table[slot] = points + 1;
-        return append(atU, atV, true);
+        return slot;
     }
 
     /** A new point at which a piece is divided, where the mesh has neither a corner nor an edge. */

@@ -9,18 +9,15 @@ import org.dronewatch.world.World;
 
 /**
  * The shortest path around the obstacles between two points, over any number of edges: the shortest convex path within
- * any one plane through both points. {@value #PLANES} planes are tried, or more if no path is found, and the best ones
- * are rotated about the line between the points until the path cannot be shortened. For a single straight edge, this is
- * the globally shortest path; over several, it is the path used by the standards, which treat propagation in separate
- * planes. A path through an opening that none of the planes intersects is not found.
+ * any one plane through both points. Several {@linkplain TrialPlanes planes} are tried, or more if no path is found,
+ * and the best ones are rotated about the line between the points until the path cannot be shortened. For a single
+ * straight edge, this is the globally shortest path; over several, it is the path used by the standards, which treat
+ * propagation in separate planes. A path through an opening that none of the planes intersects is not found.
  *
  * <p>Short detours are tried first, in the vertical and the horizontal plane before the others, so that only obstacles
- * near the straight line are examined if that suffices. Exchanging the points gives the same path. For use by one
- * thread.
+ * near the straight line are examined if that suffices. Exchanging the points gives the same path. For one thread.
  */
 public final class EdgePath {
-    private static final int PLANES = 12;
-
     /** If no plane has a path, planes between them are tried, up to this number. */
     private static final int MOST_PLANES = 48;
 
@@ -50,7 +47,8 @@ public final class EdgePath {
     private final TriangleMesh mesh;
     private final PlaneCut cut;
     private final RubberBand band = new RubberBand();
-    private final double[] detours = new double[PLANES];
+    private final TrialPlanes planes;
+    private final double[] detours = new double[TrialPlanes.MOST];
 
     private StraightLine line;
     private double straight;
@@ -61,7 +59,7 @@ public final class EdgePath {
     private final EdgeSequence shortest = new EdgeSequence();
 
     /** The shortest paths found by rotating each of the planes, one of which is the shortest of all. */
-    private final EdgeSequence[] ofMinima = new EdgeSequence[PLANES];
+    private final EdgeSequence[] ofMinima = new EdgeSequence[TrialPlanes.MOST];
 
     private int minima;
     private int ofShortest;
@@ -77,6 +75,7 @@ public final class EdgePath {
         this.world = world;
         this.mesh = world.mesh();
         this.cut = new PlaneCut(mesh, new EllipsoidQuery(world.tree()));
+        this.planes = new TrialPlanes(world);
         Arrays.setAll(ofMinima, i -> new EdgeSequence());
     }
 
@@ -105,6 +104,7 @@ public final class EdgePath {
         if (!(straight > 0.0) || mesh.triangleCount() == 0) {
             return false;
         }
+        planes.choose(line);
         boundByMainPlanes();
         if (isFound()) {
             double most = bound(Double.POSITIVE_INFINITY);
@@ -126,8 +126,8 @@ public final class EdgePath {
             search(limit);
             detour *= LONGER;
         } while (!isFound() && limit < farthest);
-        for (int planes = 2 * PLANES; !isFound() && planes <= MOST_PLANES; planes *= 2) {
-            searchBetween(planes, limit);
+        for (int number = 2 * TrialPlanes.EVEN; !isFound() && number <= MOST_PLANES; number *= 2) {
+            searchBetween(number, limit);
         }
         return isFound();
     }
@@ -195,44 +195,43 @@ public final class EdgePath {
     /** Finds a path in the vertical or the horizontal plane: its length limits the search in all planes. */
     private void boundByMainPlanes() {
         for (double detour = FIRST_DETOUR; !isFound() && detour <= LONGEST_BOUND; detour *= LONGER) {
-            for (int i = 0; i < PLANES; i += PLANES / 2) {
-                detour(i * Math.PI / PLANES, bound(straight + detour));
+            for (int i = 0; i < 2; i++) {
+                detour(0.5 * i * Math.PI, bound(straight + detour));
             }
         }
     }
 
     /** Tries all planes, and rotates the best ones. */
     private void search(double limit) {
-        double step = Math.PI / PLANES;
+        int count = planes.count();
         minima = 0;
         ofShortest = FIXED;
-        for (int i = 0; i < PLANES; i++) {
-            detours[i] = detour(i * step, bound(limit));
+        for (int i = 0; i < count; i++) {
+            detours[i] = detour(planes.angle(i), bound(limit));
         }
         double best = pathDifference;
         if (!isFound()) {
             return;
         }
-        for (int i = 0; i < PLANES; i++) {
+        for (int i = 0; i < count; i++) {
+            int before = (i + count - 1) % count;
             double here = detours[i];
-            if (here <= NEARLY_AS_SHORT * best + 1e-6
-                    && here <= detours[(i + PLANES - 1) % PLANES]
-                    && here <= detours[(i + 1) % PLANES]) {
+            if (here <= NEARLY_AS_SHORT * best + 1e-6 && here <= detours[before] && here <= detours[(i + 1) % count]) {
                 turned = minima;
                 ofMinima[minima++].clear();
                 ofShortest = here == best && ofShortest == FIXED ? turned : ofShortest;
-                turn(i * step, step);
+                turn(planes.angle(i), planes.step(before), planes.step(i));
                 turned = FIXED;
             }
         }
     }
 
     /** Tries the planes that lie between those tried before. */
-    private void searchBetween(int planes, double limit) {
-        double step = Math.PI / planes;
+    private void searchBetween(int number, double limit) {
+        double step = Math.PI / number;
         Arrays.fill(detours, Double.POSITIVE_INFINITY);
         double bestAngle = 0.0;
-        for (int i = 1; i < planes; i += 2) {
+        for (int i = 1; i < number; i += 2) {
             double before = pathDifference;
             detour(i * step, bound(limit));
             if (pathDifference < before) {
@@ -240,14 +239,14 @@ public final class EdgePath {
             }
         }
         if (isFound()) {
-            turn(bestAngle, step);
+            turn(bestAngle, step, step);
         }
     }
 
-    /** Rotates a plane by up to a step to either side, to the angle at which its path is shortest. */
-    private void turn(double angle, double step) {
+    /** Rotates a plane by up to a step back or ahead, to the angle at which its path is shortest. */
+    private void turn(double angle, double back, double ahead) {
         double limit = bound(Double.POSITIVE_INFINITY);
-        GoldenSection.search(at -> detour(at, limit), angle, step, TURNS);
+        GoldenSection.search(at -> detour(at, limit), angle + 0.5 * (ahead - back), 0.5 * (back + ahead), TURNS);
     }
 
     /** The greatest length of interest, m: once a path is known, planes with a much longer one are not rotated. */

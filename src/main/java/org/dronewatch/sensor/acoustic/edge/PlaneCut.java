@@ -7,9 +7,10 @@ import org.dronewatch.kdtree.EllipsoidQuery;
 
 /**
  * The outline of a world in a plane through two points, near those points: the straight pieces in which the plane cuts
- * triangles, in coordinates u along the line from the first point to the second and v across it. Pieces that share a
- * corner or an edge of the mesh, by its coordinates, share an end. A plane that runs through corners is treated as if
- * it lay an infinitesimal distance to one side of them, so that each triangle is cut in one piece or not at all.
+ * triangles, in coordinates u along the line from the first point to the second and v across it. Pieces that end at
+ * about the same place share an end, such as those that share a corner or an edge of the mesh, or meet where a corner
+ * lies on the edge of another triangle. A plane that runs through corners is treated as if it lay an infinitesimal
+ * distance to one side of them, so that each triangle is cut in one piece or not at all.
  *
  * <p>If sound travels in arcs, the outline is bent in the opposite direction, so that the arcs are straight lines in
  * it; its pieces are divided, since flat ground becomes a bulge. For use by one thread.
@@ -21,11 +22,17 @@ final class PlaneCut {
      */
     private static final double ON_PLANE = 1e-7;
 
+    /** Pieces whose ends are closer to each other than this touch, m. */
+    private static final double TOUCHING = 1e-6;
+
+    /** They touch within this fraction of the greatest coordinate at least: coordinates have single precision. */
+    private static final double RELATIVE_TOUCHING = 3e-8;
+
     private final TriangleMesh mesh;
     private final EllipsoidQuery query;
     private final CutTriangle straightPiece;
-    private final CutOutline outline = new CutOutline();
-    private final BentPieces bentPieces = new BentPieces(outline);
+    private final CutOutline outline;
+    private final BentPieces bentPieces;
 
     private Position origin;
     private Position ahead;
@@ -47,6 +54,8 @@ final class PlaneCut {
 
     PlaneCut(TriangleMesh mesh, EllipsoidQuery query) {
         this.mesh = mesh;
+        this.outline = new CutOutline(Math.max(TOUCHING, RELATIVE_TOUCHING * mesh.greatestCoordinate()));
+        this.bentPieces = new BentPieces(outline);
         this.query = query;
         this.straightPiece = new CutTriangle(query::coordinate, ON_PLANE);
     }

@@ -82,9 +82,19 @@ final class RubberBand {
                 remember(end);
                 return true;
             }
-            relax(next, limit);
+            if (!isInGap(next)) {
+                relax(next, limit);
+            }
         }
         return false;
+    }
+
+    /** Whether the next piece begins so close to a corner that the path cannot pass between them. */
+    private boolean isInGap(int node) {
+        double aheadU = passingU[node] - u[node];
+        double aheadV = passingV[node] - v[node];
+        return !strips.isClear(
+                passingU[node] - aheadV, passingV[node] + aheadU, passingU[node] + aheadV, passingV[node] - aheadU);
     }
 
     /** Length of the path found last, m. */

@@ -51,6 +51,21 @@ final class Arrival {
         leg.begin(ray);
     }
 
+    /** Takes over the path of another ray of the same look. */
+    void copy(Arrival other) {
+        leg.copy(other.leg);
+        solids.copy(other.solids);
+        System.arraycopy(other.inverseDensities, 0, inverseDensities, 0, LEGS);
+        System.arraycopy(other.throughWalls, 0, throughWalls, 0, LEGS);
+        System.arraycopy(other.isPassing, 0, isPassing, 0, LEGS);
+        System.arraycopy(other.isMerging, 0, isMerging, 0, LEGS);
+        System.arraycopy(other.orders, 0, orders, 0, LEGS);
+        isFromStart = other.isFromStart;
+        leaving = other.leaving;
+        ends = other.ends;
+        receiver = other.receiver;
+    }
+
     /**
      * Records that the ray was scattered at its origin.
      *

@@ -10,14 +10,14 @@ import org.dronewatch.sensor.acoustic.propagation.AcousticRay;
 import org.dronewatch.sensor.acoustic.propagation.BandSurfaces;
 import org.dronewatch.sensor.acoustic.propagation.Directions;
 import org.dronewatch.sensor.acoustic.propagation.Normals;
-import org.dronewatch.sound.Levels;
 import org.dronewatch.sound.OctaveBands;
 import org.dronewatch.world.World;
 
 /**
  * One ray that is followed to its end: backward from the sensor or, if that is the start (see {@link Ends}), from the
  * source. A surface absorbs part of its energy; the rest goes on as one ray, which is reflected specularly, scattered
- * by Lambert's law or transmitted through the wall: this is drawn at random so that the mean is right. Where the ray is
+ * by Lambert's law or transmitted through the wall: this is drawn at random so that the mean is right. If walls hide
+ * the target, the ray is divided instead where a wall transmits sound, and both parts go on. Where the ray is
  * scattered, it is connected to the target; where it passes the target after specular reflections, it is counted in a
  * sphere around the target, unless its path is computed exactly or was connected before. For use by one thread.
  */
@@ -27,9 +27,6 @@ final class BackwardRay {
      * the ray is scattered there.
      */
     private static final int ALWAYS_JOINED = 2;
-
-    /** The length at which rays that hit nothing are drawn, m. */
-    private static final double DRAWN = 1000.0;
 
     private final EnergyModel model;
     private final World world;
@@ -44,14 +41,20 @@ final class BackwardRay {
     private final EnergyPacket energy;
     private final Arrival arrival = new Arrival();
     private final AcousticRay ray = new AcousticRay();
+    private final RecordedRay recorded;
     private final double[] normal = new double[3];
     private final double[] emitted = new double[OctaveBands.COUNT];
 
     private Ends ends;
     private ScatteredSound scattered;
     private RandomGenerator random;
-    private RayRecorder recorder;
     private int traced;
+
+    private final double[] through = new double[OctaveBands.COUNT];
+    private final PartOfRay arriving = new PartOfRay();
+
+    /** The parts that walls reflected: they wait until the transmitted part has ended. */
+    private final WaitingParts waiting = new WaitingParts();
 
     /** Whether the last interaction was a specular reflection: such rays cannot be connected to a point. */
     private boolean fromMirror;
@@ -84,6 +87,7 @@ final class BackwardRay {
         this.ofStart = ofStart;
         this.connection = connection;
         this.energy = energy;
+        this.recorded = new RecordedRay(model, ray, energy);
     }
 
     /**
@@ -95,8 +99,9 @@ final class BackwardRay {
         ends = both;
         scattered = near;
         random = chance;
-        recorder = listener;
+        recorded.begin(both, listener);
         traced = 0;
+        waiting.clear();
         ray.originX = ends.start().x();
         ray.originY = ends.start().y();
         ray.originZ = ends.start().z();
@@ -132,7 +137,7 @@ final class BackwardRay {
         if (fromMirror && ofTarget.mayBeCrossed(ray) && !arrival.isExact()) {
             countPassing(distance);
         }
-        recordFlight(Math.min(distance, DRAWN));
+        recorded.flight(distance);
         if (!hit) {
             energy.escape();
             return false;
@@ -156,7 +161,7 @@ final class BackwardRay {
         if (!ofTarget.isCrossed(ray, arrival.leg(), end, random)) {
             return;
         }
-        recordArrival();
+        recorded.arrival();
         for (int band = 0; band < emitted.length; band++) {
             emitted[band] = energy.byBand()[band] * ends.targetFactor(band, ofTarget.rise()) * corrected(band);
         }
@@ -173,28 +178,6 @@ final class BackwardRay {
         }
         return ends.startFactor(band, ofTarget.riseFromBeginning())
                 / ends.startFactor(band, arrival.leg().riseFromBeginning());
-    }
-
-    private void recordFlight(double length) {
-        if (recorder != RayRecorder.NONE) {
-            record(
-                    ray.originX + length * ray.directionX,
-                    ray.originY + length * ray.directionY,
-                    ray.originZ + length * ray.directionZ,
-                    false);
-        }
-    }
-
-    private void recordArrival() {
-        if (recorder != RayRecorder.NONE) {
-            record(ends.target().x(), ends.target().y(), ends.target().z(), true);
-        }
-    }
-
-    /** Records a segment; its level is that of the fraction of the source's power that it carries. */
-    private void record(double toX, double toY, double toZ, boolean received) {
-        double level = Levels.ofRatio(energy.all() * ends.source().emitted() / model.rays());
-        recorder.record(ray.originX, ray.originY, ray.originZ, toX, toY, toZ, level, ray.order, received);
     }
 
     private void meet(int triangle, double distance) {
@@ -229,12 +212,53 @@ final class BackwardRay {
 
     /** Whether the ray is transmitted; otherwise it is reflected. */
     private boolean meetFace(int triangle, int material, double cosine) {
+        if (ends.isThroughWalls() && surfaces.transmits(material) && !waiting.isFull()) {
+            return divide(triangle, material, cosine);
+        }
         if (energy.drawTransmission(material, cosine, random)) {
             return true;
         }
         ray.standOff(normal, 1.0);
         reflect(triangle, material);
         return false;
+    }
+
+    /**
+     * Divides the ray into a part that goes on behind the wall and one that is reflected, which waits. If they were
+     * alternatives, a ray would hardly ever get through most walls.
+     *
+     * @return whether a part goes on behind the wall
+     */
+    private boolean divide(int triangle, int material, double cosine) {
+        if (!energy.divide(material, cosine, through)) {
+            ray.standOff(normal, 1.0);
+            reflect(triangle, material);
+            return false;
+        }
+        arriving.save(ray, arrival, through, fromMirror);
+        ray.standOff(normal, 1.0);
+        reflect(triangle, material);
+        if (energy.playRoulette(random)) {
+            waiting.next().save(ray, arrival, energy.byBand(), fromMirror);
+        }
+        restore(arriving);
+        return true;
+    }
+
+    private void restore(PartOfRay part) {
+        ray.copy(part.ray);
+        arrival.copy(part.arrival);
+        energy.set(part.energy);
+        fromMirror = part.fromMirror;
+    }
+
+    /** Continues with a part of the ray that has waited; returns false if there is none. */
+    boolean resume() {
+        boolean isWaiting = !waiting.isEmpty();
+        if (isWaiting) {
+            restore(waiting.last());
+        }
+        return isWaiting;
     }
 
     private void reflect(int triangle, int material) {
@@ -265,7 +289,7 @@ final class BackwardRay {
     private void join(int triangle, int material, double[] leaving) {
         traced += connection.add(ray, planes.wallOf(triangle), normal, material, leaving, arrival, scattered);
         if (connection.isJoined()) {
-            recordArrival();
+            recorded.arrival();
         }
     }
 

@@ -216,6 +216,7 @@ final class EndSearch {
                 known,
                 curvature,
                 false,
+                exact.isThroughWalls(),
                 Math.min(roulette, FAINT * (samplesOfSensor.left() + samplesOfSource.left()) / 2.0),
                 scatterers(samplesOfSensor, samplesOfSource));
     }
@@ -272,6 +273,7 @@ final class EndSearch {
                 known,
                 curvature,
                 true,
+                exact.isThroughWalls(),
                 roulette,
                 scatterers(start.samples(), target.samples()));
     }

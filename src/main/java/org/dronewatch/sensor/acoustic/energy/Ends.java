@@ -25,6 +25,7 @@ import org.dronewatch.sensor.acoustic.propagation.PathCurvature;
  * @param curvature how air bends the paths of sound
  * @param isOpen whether an appreciable part of the sound leaves the site from one end at least: few rays that pass the
  *     other end do so by chance
+ * @param isThroughWalls whether the straight path leads through walls that transmit sound
  * @param roulette fraction of a ray's initial energy below which Russian roulette decides whether the ray survives
  * @param scatterers the materials of surfaces that scatter sound near either end, as far as a few rays met them
  */
@@ -40,6 +41,7 @@ record Ends(
         double known,
         PathCurvature curvature,
         boolean isOpen,
+        boolean isThroughWalls,
         double roulette,
         Set<Integer> scatterers) {
 

@@ -107,6 +107,31 @@ final class EnergyPacket {
         return isTransmitted;
     }
 
+    /**
+     * Deducts the energy that a surface absorbs, and that which it transmits.
+     *
+     * @param cosine cosine of the angle between the sound and the normal
+     * @param through receives the energies that it transmits, by band
+     * @return whether it transmits any
+     */
+    boolean divide(int material, double cosine, double[] through) {
+        double[] absorbed = ledger.absorbedByBand();
+        double transmitted = 0.0;
+        for (int band = 0; band < BANDS; band++) {
+            double turned = energy[band] * surfaces.reflected(material, band, cosine);
+            through[band] = energy[band] * surfaces.transmitted(material, band);
+            absorbed[band] += energy[band] - turned - through[band];
+            energy[band] = turned;
+            transmitted += through[band];
+        }
+        return transmitted > 0.0;
+    }
+
+    /** Sets the energies by band. */
+    void set(double[] energies) {
+        System.arraycopy(energies, 0, energy, 0, BANDS);
+    }
+
     /** The energy that a surface would scatter, by band; valid until the next call. */
     double[] scatteredBy(int material) {
         for (int band = 0; band < BANDS; band++) {

@@ -90,7 +90,7 @@ final class RayBatch {
     }
 
     private void count(boolean goesOn) {
-        if (goesOn) {
+        if (goesOn || ray.resume()) {
             return;
         }
         traced += ray.traced();

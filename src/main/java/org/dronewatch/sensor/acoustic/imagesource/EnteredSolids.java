@@ -24,7 +24,7 @@ public final class EnteredSolids {
     }
 
     /** Takes over the solids of another path. */
-    void copy(EnteredSolids other) {
+    public void copy(EnteredSolids other) {
         if (other.count == 0) {
             // Most paths begin in the air.
             count = 0;

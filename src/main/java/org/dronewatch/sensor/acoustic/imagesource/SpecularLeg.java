@@ -42,6 +42,26 @@ public final class SpecularLeg {
         leftBefore = null;
     }
 
+    /** Takes over the reflections of another leg. */
+    public void copy(SpecularLeg other) {
+        if (walls.length < other.order) {
+            walls = new int[other.walls.length];
+        }
+        System.arraycopy(other.walls, 0, walls, 0, other.order);
+        key = other.key;
+        reverse = other.reverse;
+        weight = other.weight;
+        order = other.order;
+        isThroughWalls = other.isThroughWalls;
+        length = other.length;
+        fromX = other.fromX;
+        fromY = other.fromY;
+        fromZ = other.fromZ;
+        riseFromBeginning = other.riseFromBeginning;
+        left = other.left;
+        leftBefore = other.leftBefore;
+    }
+
     /** Records that the ray travelled a distance, m. */
     public void travel(double distance) {
         length += distance;

@@ -63,7 +63,7 @@ public final class WallPlanes {
     }
 
     private WallPlanes(TriangleMesh mesh, IntPredicate mirrors) {
-        this.tolerance = Math.max(LEAST_TOLERANCE, RELATIVE_TOLERANCE * size(mesh));
+        this.tolerance = Math.max(LEAST_TOLERANCE, RELATIVE_TOLERANCE * Math.max(1.0, mesh.greatestCoordinate()));
         this.wallOf = new int[mesh.triangleCount()];
         Arrays.fill(wallOf, NONE);
         WallGrouping grouping = new WallGrouping(mesh, tolerance);
@@ -82,16 +82,6 @@ public final class WallPlanes {
         this.isMixed = mixed(mesh);
         // This reads the planes, so it comes last: all other fields are set.
         this.tree = new WallTree(this);
-    }
-
-    private static double size(TriangleMesh mesh) {
-        double size = 1.0;
-        for (int vertex = 0; vertex < mesh.vertexCount(); vertex++) {
-            for (int axis = 0; axis < 3; axis++) {
-                size = Math.max(size, Math.abs(mesh.vertexCoordinate(vertex, axis)));
-            }
-        }
-        return size;
     }
 
     private double[] bounds(TriangleMesh mesh) {

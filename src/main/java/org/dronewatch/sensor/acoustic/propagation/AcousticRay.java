@@ -53,6 +53,21 @@ public final class AcousticRay {
     /** Index of the material in which the ray propagates, or {@link #AIR}. */
     public int medium;
 
+    /** Takes over the state of another ray. */
+    public void copy(AcousticRay other) {
+        originX = other.originX;
+        originY = other.originY;
+        originZ = other.originZ;
+        directionX = other.directionX;
+        directionY = other.directionY;
+        directionZ = other.directionZ;
+        level = other.level;
+        energy = other.energy;
+        travelled = other.travelled;
+        order = other.order;
+        medium = other.medium;
+    }
+
     /** Whether the ray hits a surface; the tracer then has the triangle and the distance. */
     public boolean meets(RayTracer tracer) {
         return meets(tracer, Double.POSITIVE_INFINITY);

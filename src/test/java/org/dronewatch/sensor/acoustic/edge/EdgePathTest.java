@@ -92,6 +92,37 @@ class EdgePathTest {
         assertThat(path.pathDifference()).isCloseTo(2 * Math.sqrt(100 + 2 * 1.8 * 1.8) - 20, within(1e-5));
     }
 
+    /** The line between both ends then runs nearly along the wall, and most planes cut it near that line. */
+    @Test
+    void theShortestWayAroundAWallIsFoundFromPlacesVeryCloseToIt() {
+        SplittableRandom random = new SplittableRandom(4);
+        EdgePath path = new EdgePath(rectangles(new float[][] {{-8, 8, -1, 8}}));
+        for (int run = 0; run < 100; run++) {
+            Position source = new Position(random.nextDouble(-7, 7), -random.nextDouble(0.02, 0.1), place(random));
+            Position sensor = new Position(random.nextDouble(-7, 7), random.nextDouble(0.02, 0.1), place(random));
+            assertThat(path.find(source, sensor)).as("run %d", run).isTrue();
+            double straight = source.distance(sensor);
+            double shortest = Double.POSITIVE_INFINITY;
+            for (double at = -1; at <= 1; at += 1e-4) {
+                for (Position edge : new Position[] {
+                    new Position(8 * at, 0, 8),
+                    new Position(8 * at, 0, -1),
+                    new Position(-8, 0, 3.5 + 4.5 * at),
+                    new Position(8, 0, 3.5 + 4.5 * at)
+                }) {
+                    shortest = Math.min(shortest, source.distance(edge) + edge.distance(sensor));
+                }
+            }
+            assertThat(path.pathDifference())
+                    .as("run %d: %s to %s", run, source, sensor)
+                    .isCloseTo(shortest - straight, within(0.03 * (shortest - straight)));
+        }
+    }
+
+    private static double place(SplittableRandom random) {
+        return random.nextDouble(0.3, 7.5);
+    }
+
     /** How far off the middle of the line between both ends a way has a detour. */
     private static float at(double detour) {
         double half = 10 + detour / 2;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class RubberBandTest {
     private static final double DISTANCE = 100;
 
-    private final CutOutline outline = new CutOutline();
+    private final CutOutline outline = new CutOutline(1e-4);
     private final RubberBand band = new RubberBand();
 
     private void polyline(double... coordinates) {

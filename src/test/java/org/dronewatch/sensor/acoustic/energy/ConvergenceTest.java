@@ -77,6 +77,7 @@ class ConvergenceTest {
                 0,
                 PathCurvature.NONE,
                 isOpen,
+                false,
                 ROULETTE,
                 scatterers));
     }
