@@ -57,6 +57,11 @@ final class Cone {
         return !empty && !tooWide && Math.hypot(firstU + lastU, firstV + lastV) > STRAIGHT;
     }
 
+    /** Whether all directions are the same: a piece ends here, and no other one begins. */
+    boolean isOfOnePiece() {
+        return firstU == lastU && firstV == lastV;
+    }
+
     /**
      * Whether a direction of any length lies within a corner's cone, rather than on its border or outside.
      *

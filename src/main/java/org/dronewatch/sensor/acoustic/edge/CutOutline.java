@@ -21,7 +21,7 @@ final class CutOutline {
     /** Within this distance in both coordinates, points are the same, m. */
     private final double tolerance;
 
-    /** The cells by which points are looked up are as wide as this, m; most points are far from a border. */
+    /** The cells by which points are looked up are as wide as this, m: hardly any point is near a border. */
     private final double cell;
 
     /**
@@ -37,7 +37,7 @@ final class CutOutline {
      */
     CutOutline(double tolerance) {
         this.tolerance = tolerance;
-        this.cell = 8.0 * tolerance;
+        this.cell = 1000.0 * tolerance;
     }
 
     /** Removes all pieces, and makes room for at most this many points of the mesh. */

@@ -89,8 +89,11 @@ final class RubberBand {
         return false;
     }
 
-    /** Whether the next piece begins so close to a corner that the path cannot pass between them. */
+    /** Whether a piece ends at a corner so close to the next one that the path cannot pass between them. */
     private boolean isInGap(int node) {
+        if (!cut.cone(point[node]).isOfOnePiece()) {
+            return false;
+        }
         double aheadU = passingU[node] - u[node];
         double aheadV = passingV[node] - v[node];
         return !strips.isClear(
