@@ -126,7 +126,7 @@ public final class AreaBounds {
             this.half = range > radius
                     ? (1.0 + SLACK) * radius / Math.sqrt(range * range - radius * radius)
                     : Double.POSITIVE_INFINITY;
-            this.ahead = vector.times(1.0 / range);
+            this.ahead = range > 0.0 ? vector.times(1.0 / range) : new Position(0, 0, 1);
             Position top = Math.abs(ahead.z()) < 0.9 ? new Position(0, 0, 1) : new Position(0, 1, 0);
             this.aside = ahead.cross(top).unit();
             this.above = aside.cross(ahead);
