@@ -6,6 +6,14 @@ package org.dronewatch.geometry;
  * triangles that share an edge share an end there, to the last bit. For use by one thread.
  */
 public final class CutTriangle {
+    /** The least and the greatest distance within which ends of segments touch, m. */
+    private static final double LEAST_TOUCHING = 1e-6;
+
+    private static final double MOST_TOUCHING = 1e-4;
+
+    /** The relative rounding error of coordinates, which have single precision. */
+    private static final double ROUNDING = 3e-8;
+
     private final Corners corners;
     private final double tolerance;
     private final double[][] corner = new double[3][3];
@@ -35,6 +43,14 @@ public final class CutTriangle {
     public CutTriangle(Corners corners, double tolerance) {
         this.corners = corners;
         this.tolerance = tolerance;
+    }
+
+    /**
+     * The distance within which the ends of two segments touch, m: where a corner of one triangle lies on an edge of
+     * another, rounding separates them. In proportion to the largest coordinate, but 0.001 mm to 0.1 mm.
+     */
+    public static double touching(TriangleMesh mesh) {
+        return Math.max(LEAST_TOUCHING, Math.min(MOST_TOUCHING, ROUNDING * mesh.greatestCoordinate()));
     }
 
     /**

@@ -10,9 +10,10 @@ import org.dronewatch.world.World;
 /**
  * The section of a site in a plane through two points: the straight pieces in which the plane cuts triangles, in
  * coordinates u along the line from the first point to the second and t across it, m. Pieces that share an edge of the
- * mesh share a point; those that are connected on one side of the line form one body there, so that the two sides of a
- * valley with an antenna in it are two bodies. If the plane passes through corners of the mesh, it is treated as if it
- * lay an infinitesimal distance to one side of them. For use by one thread.
+ * mesh share a point, and so do pieces that meet where a corner lies on the edge of another triangle. Those that are
+ * connected on one side of the line form one body there, so that the two sides of a valley with an antenna in it are
+ * two bodies. If the plane passes through corners of the mesh, it is treated as if it lay an infinitesimal distance to
+ * one side of them. For use by one thread.
  */
 final class Section {
     /** Corners nearer to the plane than this, m, lie on it. */
@@ -25,7 +26,7 @@ final class Section {
     private static final double ROUNDING = 1e-6;
 
     private final EllipsoidQuery query;
-    private final SectionPoints points = new SectionPoints();
+    private final SectionPoints points;
     private final SectionPieces pieces = new SectionPieces();
     private final CutTriangle piece;
 
@@ -57,6 +58,7 @@ final class Section {
 
     Section(World world) {
         query = new EllipsoidQuery(world.tree());
+        points = new SectionPoints(CutTriangle.touching(world.mesh()));
         piece = new CutTriangle(query::coordinate, ON_PLANE);
     }
 

@@ -3,12 +3,17 @@ package org.dronewatch.sensor.radio;
 import java.util.Arrays;
 
 /**
- * The points of a section, without duplicates: u along its line and t across it, m. Points are the same only if their
- * coordinates are equal to the last bit. Allocates only when there are more points than ever before. For use by one
- * thread.
+ * The points of a section, without duplicates: u along its line and t across it, m. Points that are very close to each
+ * other are the same. Allocates only when there are more points than ever before. For use by one thread.
  */
 final class SectionPoints {
     private static final int FIRST = 64;
+
+    /** The cells by which points are looked up are this many times as wide as the tolerance. */
+    private static final double WIDE = 1000.0;
+
+    private final double tolerance;
+    private final double cell;
 
     private double[] u = new double[FIRST];
     private double[] t = new double[FIRST];
@@ -20,6 +25,16 @@ final class SectionPoints {
     private int[] rounds = new int[2 * FIRST];
     private int round = 1;
 
+    /**
+     * No points.
+     *
+     * @param tolerance within this distance in both coordinates, points are the same, above 0, m
+     */
+    SectionPoints(double tolerance) {
+        this.tolerance = tolerance;
+        this.cell = WIDE * tolerance;
+    }
+
     /** Removes all points. */
     void clear() {
         count = 0;
@@ -30,39 +45,49 @@ final class SectionPoints {
         round++;
     }
 
-    /** The number of a point: that of an equal point if there is one, or else the next free number. */
+    /** The number of a point: that of a point that is the same, if there is one, or else the next free number. */
     int number(double along, double across) {
-        // Without negative zeros, equal numbers have equal bits.
-        double uThere = along + 0.0;
-        double tThere = across + 0.0;
-        int slot = slot(uThere, tThere);
-        while (rounds[slot] == round) {
-            int there = slots[slot];
-            if (u[there] == uThere && t[there] == tThere) {
-                return there;
+        long lastU = cell(along + tolerance);
+        long lastT = cell(across + tolerance);
+        for (long cellU = cell(along - tolerance); cellU <= lastU; cellU++) {
+            for (long cellT = cell(across - tolerance); cellT <= lastT; cellT++) {
+                int slot = slot(cellU, cellT, along, across);
+                if (rounds[slot] == round) {
+                    return slots[slot];
+                }
             }
-            slot = slot + 1 & slots.length - 1;
         }
         if (count == u.length) {
             grow();
-            return number(along, across);
         }
-        u[count] = uThere;
-        t[count] = tThere;
-        take(slot, count);
+        u[count] = along;
+        t[count] = across;
+        take(slot(cell(along), cell(across), along, across), count);
         return count++;
+    }
+
+    private long cell(double coordinate) {
+        return (long) Math.floor(coordinate / cell);
+    }
+
+    /** The slot of a point that is the same, among those of a cell; otherwise the first free slot of the cell. */
+    private int slot(long cellU, long cellT, double along, double across) {
+        // Multiplication by the golden ratio spreads the bits (Knuth, The Art of Computer Programming 3, 6.4).
+        long spread = (31 * cellU + cellT) * 0x9E3779B97F4A7C15L;
+        int slot = (int) (spread >>> Integer.SIZE) & slots.length - 1;
+        while (rounds[slot] == round) {
+            int there = slots[slot];
+            if (Math.abs(u[there] - along) <= tolerance && Math.abs(t[there] - across) <= tolerance) {
+                return slot;
+            }
+            slot = slot + 1 & slots.length - 1;
+        }
+        return slot;
     }
 
     private void take(int slot, int point) {
         slots[slot] = point;
         rounds[slot] = round;
-    }
-
-    private int slot(double along, double across) {
-        long bits = 31 * Double.doubleToRawLongBits(along) + Double.doubleToRawLongBits(across);
-        // Multiplication by the golden ratio spreads the bits (Knuth, The Art of Computer Programming 3, 6.4).
-        long spread = bits * 0x9E3779B97F4A7C15L;
-        return (int) (spread >>> Integer.SIZE) & slots.length - 1;
     }
 
     private void grow() {
@@ -71,11 +96,7 @@ final class SectionPoints {
         slots = new int[2 * u.length];
         rounds = new int[slots.length];
         for (int point = 0; point < count; point++) {
-            int slot = slot(u[point], t[point]);
-            while (rounds[slot] == round) {
-                slot = slot + 1 & slots.length - 1;
-            }
-            take(slot, point);
+            take(slot(cell(u[point]), cell(t[point]), u[point], t[point]), point);
         }
     }
 

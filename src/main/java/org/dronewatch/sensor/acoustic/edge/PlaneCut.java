@@ -22,12 +22,6 @@ final class PlaneCut {
      */
     private static final double ON_PLANE = 1e-7;
 
-    /** Pieces whose ends are closer to each other than this touch, m. */
-    private static final double TOUCHING = 1e-6;
-
-    /** They touch within this fraction of the greatest coordinate at least: coordinates have single precision. */
-    private static final double RELATIVE_TOUCHING = 3e-8;
-
     private final TriangleMesh mesh;
     private final EllipsoidQuery query;
     private final CutTriangle straightPiece;
@@ -54,7 +48,7 @@ final class PlaneCut {
 
     PlaneCut(TriangleMesh mesh, EllipsoidQuery query) {
         this.mesh = mesh;
-        this.outline = new CutOutline(Math.max(TOUCHING, RELATIVE_TOUCHING * mesh.greatestCoordinate()));
+        this.outline = new CutOutline(CutTriangle.touching(mesh));
         this.bentPieces = new BentPieces(outline);
         this.query = query;
         this.straightPiece = new CutTriangle(query::coordinate, ON_PLANE);
