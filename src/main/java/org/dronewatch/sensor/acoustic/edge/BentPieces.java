@@ -44,9 +44,13 @@ final class BentPieces {
 
     /**
      * Divides the pieces into parts that are nearly straight, and adds these to the outline. They are also divided at
-     * every point of the mesh that lies on them: there must be no gap under a wall on bent ground.
+     * every point of the mesh that lies on them: there must be no gap under a wall on bent ground. Neither may parts
+     * run above an end of the path that lies on the ground: pieces are divided there, too.
+     *
+     * @param curvature curvature of sound, 1/m
+     * @param distance distance along the line of the far end of the path, m
      */
-    void divide(double curvature) {
+    void divide(double curvature, double distance) {
         int ofMesh = outline.points();
         for (int piece = 0; piece < count; piece++) {
             int start = ends[2 * piece];
@@ -54,8 +58,8 @@ final class BentPieces {
             double to = outline.u(ends[2 * piece + 1]);
             int parts = Math.min(MOST_PARTS, PathCurvature.pieces(curvature * steepness[piece], to - from));
             int divisions = 0;
-            if (divided.length < parts + ofMesh) {
-                divided = new double[2 * (parts + ofMesh)];
+            if (divided.length < parts + ofMesh + 2) {
+                divided = new double[2 * (parts + ofMesh) + 2];
             }
             for (int part = 1; part < parts; part++) {
                 divided[divisions++] = from + (to - from) * part / parts;
@@ -67,6 +71,12 @@ final class BentPieces {
                         && Math.abs(outline.v(point) - across(piece, at, curvature)) < PathCurvature.EXACT) {
                     divided[divisions++] = at;
                 }
+            }
+            if (from < 0.0 && to > 0.0) {
+                divided[divisions++] = 0.0;
+            }
+            if (from < distance && to > distance) {
+                divided[divisions++] = distance;
             }
             Arrays.sort(divided, 0, divisions);
             int before = start;

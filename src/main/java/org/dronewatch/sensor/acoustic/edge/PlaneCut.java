@@ -85,7 +85,7 @@ final class PlaneCut {
                 cutBent(i, normal);
             }
         }
-        bentPieces.divide(curvature);
+        bentPieces.divide(curvature, straight);
         outline.finish();
     }
 
