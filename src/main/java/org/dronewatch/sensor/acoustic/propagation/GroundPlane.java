@@ -16,8 +16,13 @@ public final class GroundPlane {
 
     private static final int ACROSS = 3;
 
-    /** Number of iterations: the zone follows from the point of reflection, and this from the surface in the zone. */
-    private static final int ROUNDS = 2;
+    /**
+     * Least and greatest number of iterations: the zone follows from the point of reflection, and this from the surface
+     * in the zone. The first point may be far off, since it is searched for only straight below the line.
+     */
+    private static final int LEAST_ROUNDS = 2;
+
+    private static final int MOST_ROUNDS = 6;
 
     /**
      * Number of parts into which the profile below the line is divided in the search for the first point of reflection.
@@ -29,16 +34,11 @@ public final class GroundPlane {
 
     private static final double TOLERANCE = 1e-3;
 
-    /**
-     * Accuracy of the point of reflection, as a fraction of the length of the zone, and the maximum number of steps.
-     */
-    private static final double EXACT = 1e-9;
-
-    private static final int STEPS = 60;
-
     private final GroundProfile profile;
     private final SurfaceFit surface = new SurfaceFit(ALONG * ACROSS);
     private final MirrorPlane plane = new MirrorPlane();
+    private final FresnelZone zone = new FresnelZone();
+    private final SurfaceReflection reflection = new SurfaceReflection(surface, plane);
     private Position from;
     private Position to;
     private double distance;
@@ -50,9 +50,9 @@ public final class GroundPlane {
 
     private double firstOverGround;
     private double secondOverGround;
-    private double firstU;
-    private double lastU;
+    /** Half the width of the zone in which ground beside the line belongs to the highest surface, m. */
     private double halfWidth;
+
     private int material;
 
     /** Ground planes in a world. */
@@ -83,13 +83,16 @@ public final class GroundPlane {
         if (!begin()) {
             return false;
         }
-        for (int round = 0; round < ROUNDS; round++) {
-            setZone(wavelength);
-            if (!fit() || !reflect()) {
+        for (int round = 1; round <= MOST_ROUNDS; round++) {
+            zone.layAround(plane, wavelength, distance);
+            if (!fit() || !reflection.find(plane.reflectionU(), zone.lastU() - zone.firstU(), bulge, distance)) {
                 return false;
             }
+            if (round >= LEAST_ROUNDS && zone.contains(plane.reflectionU(), plane.reflectionV())) {
+                return isSeen();
+            }
         }
-        return Math.abs(plane.reflectionV()) <= halfWidth && isSeen();
+        return false;
     }
 
     /**
@@ -151,70 +154,22 @@ public final class GroundPlane {
         return value * value;
     }
 
-    private void setZone(double wavelength) {
-        double before = plane.lengthBefore();
-        double after = plane.lengthAfter();
-        double cosine = (heightOfFirst() + heightOfSecond()) / (before + after);
-        halfWidth = Math.sqrt(wavelength * before * after / (before + after));
-        double halfLength = halfWidth / cosine;
-        firstU = Math.max(plane.reflectionU() - halfLength, -halfWidth);
-        lastU = Math.min(plane.reflectionU() + halfLength, distance + halfWidth);
-    }
-
     /** Fits a surface to the ground in the zone; at least half of the samples must lie on a surface. */
     private boolean fit() {
         surface.clear();
+        double length = zone.lastU() - zone.firstU();
         for (int i = 0; i < ALONG; i++) {
             for (int j = 0; j < ACROSS; j++) {
-                double u = firstU + (lastU - firstU) * i / (ALONG - 1);
-                double v = halfWidth * (2.0 * j / (ACROSS - 1) - 1.0);
+                double u = zone.firstU() + length * i / (ALONG - 1);
+                double v = zone.middleV() + zone.halfWidth() * (2.0 * j / (ACROSS - 1) - 1.0);
                 double z = profile.z(u, v);
                 if (!Double.isNaN(z)) {
                     surface.add(u, v, z);
                 }
             }
         }
-        return 2 * surface.count() >= ALONG * ACROSS && surface.fit(firstU, lastU, halfWidth);
-    }
-
-    /**
-     * Finds the point of the fitted surface at which its tangent plane reflects. On a plane, {@link #offset} leads
-     * there from any point; on a hill, it overshoots.
-     */
-    private boolean reflect() {
-        double low = firstU;
-        double high = lastU;
-        double ofLow = offset(low);
-        double ofHigh = offset(high);
-        if (!(ofLow >= 0.0) || !(ofHigh <= 0.0)) {
-            return false;
-        }
-        // Regula falsi, which is exact for a plane; the Illinois variant halves the value at an end that stays the
-        // same.
-        double exact = EXACT * (lastU - firstU);
-        for (int step = 0; step < STEPS; step++) {
-            double u = low + (high - low) * ofLow / (ofLow - ofHigh);
-            double of = offset(u);
-            if (Math.abs(of) <= exact) {
-                break;
-            }
-            if (of > 0.0) {
-                low = u;
-                ofLow = of;
-                ofHigh *= 0.5;
-            } else {
-                high = u;
-                ofHigh = of;
-                ofLow *= 0.5;
-            }
-        }
-        return plane.isBelowBoth();
-    }
-
-    /** Lays the plane that touches the surface at u and v = 0; returns the offset of its point of reflection. */
-    private double offset(double u) {
-        double bent = u > 0.0 && u < distance ? bulge * (0.5 * distance - u) : 0.0;
-        return plane.lay(u, surface.z(u, 0.0) + raised(u), surface.slopeU(u) + bent, surface.slopeV());
+        return 2 * surface.count() >= ALONG * ACROSS
+                && surface.fit(zone.firstU(), zone.lastU(), zone.middleV(), zone.halfWidth());
     }
 
     /**
@@ -247,11 +202,8 @@ public final class GroundPlane {
         double u = profile.u(x, y);
         double v = profile.v(x, y);
         // Straight paths meet bent ground elsewhere.
-        double first = bulge == 0.0 ? firstU : Math.min(0.0, firstU);
-        double last = bulge == 0.0 ? lastU : Math.max(distance, lastU);
-        return u >= first - TOLERANCE
-                && u <= last + TOLERANCE
-                && Math.abs(v) <= halfWidth + TOLERANCE
+        boolean isAnywhere = bulge != 0.0 && u >= -TOLERANCE && u <= distance + TOLERANCE;
+        return (isAnywhere ? zone.isWithinWidth(v) : zone.contains(u, v))
                 && Math.abs(z - surface.z(u, v)) <= SPREAD * unevenness + TOLERANCE;
     }
 

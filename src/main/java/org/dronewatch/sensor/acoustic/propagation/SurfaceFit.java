@@ -23,6 +23,7 @@ final class SurfaceFit {
     private double middleU;
     private double middleZ;
     private double scaleU;
+    private double middleV;
     private double scaleV;
 
     /** A fit to at most this many points. */
@@ -52,12 +53,14 @@ final class SurfaceFit {
      *
      * @param fromU beginning of the interval of u
      * @param toU end of the interval of u
-     * @param halfV scale of v: half the length of its interval
+     * @param midV middle of the interval of v
+     * @param halfV half the length of the interval of v
      * @return false if the points are on one line
      */
-    boolean fit(double fromU, double toU, double halfV) {
+    boolean fit(double fromU, double toU, double midV, double halfV) {
         middleU = 0.5 * (fromU + toU);
         scaleU = 0.5 * (toU - fromU);
+        middleV = midV;
         scaleV = halfV;
         middleZ = zs[0];
         return solve(BENT) && factors[BENT - 1] < 0.0 || solve(PLANE);
@@ -104,7 +107,7 @@ final class SurfaceFit {
         double scaled = (u - middleU) / scaleU;
         terms[0] = 1.0;
         terms[1] = scaled;
-        terms[2] = v / scaleV;
+        terms[2] = (v - middleV) / scaleV;
         terms[3] = scaled * scaled;
     }
 

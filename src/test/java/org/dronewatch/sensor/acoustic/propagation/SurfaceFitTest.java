@@ -22,7 +22,7 @@ class SurfaceFitTest {
             double v = random.nextDouble(-HALF, HALF);
             fit.add(u, v, height.applyAsDouble(u, v));
         }
-        assertThat(fit.fit(FROM, TO, HALF)).isTrue();
+        assertThat(fit.fit(FROM, TO, 0, HALF)).isTrue();
         return fit;
     }
 
@@ -48,7 +48,7 @@ class SurfaceFitTest {
                 fit.add(920 + 20 * x, j * HALF, depth * x * x);
             }
         }
-        assertThat(fit.fit(FROM, TO, HALF)).isTrue();
+        assertThat(fit.fit(FROM, TO, 0, HALF)).isTrue();
         assertThat(fit.slopeU(905)).isCloseTo(0, within(1e-9)).isCloseTo(fit.slopeU(935), within(1e-12));
         assertThat(fit.standardDeviation()).isCloseTo(depth * Math.sqrt(4.0 / 45), within(0.01));
     }
@@ -59,6 +59,6 @@ class SurfaceFitTest {
         for (int i = 0; i < 10; i++) {
             fit.add(FROM + 4 * i, 0.1 * i, 5);
         }
-        assertThat(fit.fit(FROM, TO, HALF)).isFalse();
+        assertThat(fit.fit(FROM, TO, 0, HALF)).isFalse();
     }
 }
